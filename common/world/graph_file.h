@@ -1,0 +1,33 @@
+#pragma once
+// Reads maps: `.graph` files (the format of the ROS patrolling_sim) and NetworkX node-link JSON.
+//
+// What breaks a rule throws InputError with file, line (or element), rule and value. What is odd
+// but has one sensible reading (a neighbour listed twice, a one-way arc, two vertices on one point,
+// a parallel edge) is read, and one sentence for each is appended to `warnings`. Format facts:
+// docs/maps.md.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/world/patrol_graph.h"
+
+namespace ronda {
+
+enum class EdgeLengthSource {
+  kEuclidean,  // the distance between the ends (thesis §1.3); an explicit JSON `length` wins over
+               // it
+  kFile,       // the cost column of a `.graph` file (px, times metres per px); JSON must then give
+               // `length`
+};
+
+/// Reads one map file; the format follows from its name (`.graph`, or `.json`).
+PatrolGraph ReadGraphFile(const std::filesystem::path& path, EdgeLengthSource length_source,
+                          std::vector<std::string>* warnings);
+
+/// A map named on a command line: a path to a file, or the name of a map that ships (`cumberland`).
+/// `maps_dir` is where those stand. Throws InputError that lists the shipped names when there is
+/// none.
+PatrolGraph LoadMap(const std::string& name_or_path, const std::filesystem::path& maps_dir,
+                    EdgeLengthSource length_source, std::vector<std::string>* warnings);
+
+}  // namespace ronda

@@ -1,0 +1,89 @@
+#pragma once
+// The graph that is patrolled: undirected, connected, vertices with positions, edges with lengths
+// in metres.
+//
+// Vertices are 0 … V − 1 inside the program; `vertex_id` is the name that the map's file uses, and
+// the only one that a user sees. Immutable after construction, so any number of threads may read
+// it. Neighbours of a vertex stand in one flat array (compressed rows): an *arc* is a position in
+// it, so every edge has two arcs. Source: thesis §1.2, §1.3.
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ronda {
+
+struct Position {
+  double x_m = 0.0;
+  double y_m = 0.0;
+};
+
+struct Edge {
+  int source = 0;
+  int target = 0;
+  double length_m = 0.0;  // > 0
+};
+
+/// A closed walk through all vertices: the vertices in order, each joined to the next (and the last
+/// to the first) by an edge of the graph. `length_m` is its length; `source` says how it was found.
+struct ClosedWalk {
+  std::vector<int> vertices;
+  double length_m = 0.0;
+  std::string source;
+};
+
+/// What a map file says, before it has become a graph.
+struct GraphData {
+  std::string name;
+  std::vector<std::string> vertex_ids;  // (V)
+  std::vector<Position> positions;      // (V)
+  std::vector<Edge> edges;              // each once, either direction
+  double metres_per_px = 1.0;           // some strategies are defined in px
+  std::optional<ClosedWalk> shortest_closed_walk;
+};
+
+class PatrolGraph {
+ public:
+  /// Throws InputError when an edge is not positive and finite, names no vertex, is a loop or
+  /// stands twice, when an id stands twice, or when the graph is not connected; the message names
+  /// the element.
+  explicit PatrolGraph(GraphData data);
+
+  const std::string& name() const { return data_.name; }
+  int vertex_count() const { return static_cast<int>(data_.positions.size()); }
+  int edge_count() const { return static_cast<int>(data_.edges.size()); }
+  int max_degree() const { return max_degree_; }
+  int degree(int vertex) const { return first_arc_[vertex + 1] - first_arc_[vertex]; }
+  /// Neighbours of `vertex`, ascending.
+  std::span<const int> neighbours(int vertex) const {
+    return {neighbours_.data() + first_arc_[vertex], static_cast<std::size_t>(degree(vertex))};
+  }
+  /// Lengths of the edges to `neighbours(vertex)`, in the same order.
+  std::span<const double> lengths_m(int vertex) const {
+    return {lengths_m_.data() + first_arc_[vertex], static_cast<std::size_t>(degree(vertex))};
+  }
+  /// The first arc of `vertex`; its k-th neighbour is arc first_arc(vertex) + k.
+  int first_arc(int vertex) const { return first_arc_[vertex]; }
+  /// Length of the edge between two neighbours; a bug if there is none.
+  double edge_length_m(int from, int to) const;
+  double mean_edge_length_m() const { return mean_edge_length_m_; }
+
+  const std::vector<Edge>& edges() const { return data_.edges; }
+  const std::vector<Position>& positions() const { return data_.positions; }
+  const std::string& vertex_id(int vertex) const { return data_.vertex_ids[vertex]; }
+  double metres_per_px() const { return data_.metres_per_px; }
+  /// The shortest closed walk that came with the map, if one did.
+  const std::optional<ClosedWalk>& shortest_closed_walk() const {
+    return data_.shortest_closed_walk;
+  }
+
+ private:
+  GraphData data_;
+  std::vector<int> first_arc_;     // (V + 1)
+  std::vector<int> neighbours_;    // (2E)
+  std::vector<double> lengths_m_;  // (2E)
+  int max_degree_ = 0;
+  double mean_edge_length_m_ = 0.0;
+};
+
+}  // namespace ronda
