@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# From a bare Debian 12 to a trained policy: installs packages, builds, trains 10 robots on the Cumberland map with
+# separate processes over Fast DDS, compares the result with the classical strategies, and draws two pictures.
+# A second call finds all that done and only shows the result. State: runs/quickstart (remove it to train anew).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+run=runs/quickstart
+step() { printf '\n== %s\n' "$*"; }
+
+step "Packages"
+deploy/setup.sh && echo "All there."
+
+step "Build"
+[ -e build/release/build.ninja ] || cmake --preset release -DRONDA_BUILD_TESTS=ON >/dev/null
+cmake --build --preset release --target ronda ronda-actor ronda-replay ronda-learner
+
+step "Train: Cumberland, 10 robots, 2 actors, at most 100 s (Ctrl-C stops it with a checkpoint; call again to go on)"
+build/release/bin/ronda train --map cumberland --agents 10 --actors 2 --for 100s --run "$run"
+
+step "Compare with the classical strategies: steady protocol, 20 seeds that training never saw"
+build/release/bin/ronda compare --map cumberland --agents 10 --policy "$run" --strategies all --json "$run/compare.json"
+build/release/bin/ronda evaluate --map cumberland --agents 10 --policy "$run" --episodes 1 --trace "$run/trace.csv" >/dev/null
+
+step "Pictures"
+python3 python/figures.py learning-curve "$run" --out "$run/learning_curve.svg"
+python3 python/figures.py traffic maps/cumberland.json "$run/trace.csv" --out "$run/traffic.svg"
+
+step "Next"
+cat <<END
+  build/release/bin/ronda train --map maps/grid.json --agents 4     train on another map
+  build/release/bin/ronda evaluate --help                           judge a policy or a strategy
+  $run/learning_curve.svg, $run/traffic.svg                         the pictures
+END
