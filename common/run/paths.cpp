@@ -1,0 +1,16 @@
+#include "common/run/paths.h"
+
+#include <cstdlib>
+
+namespace ronda {
+
+std::filesystem::path HomeFolder() {
+  const char* home = std::getenv("RONDA_HOME");
+  return home != nullptr && *home != '\0' ? home : RONDA_SOURCE_DIR;
+}
+
+std::filesystem::path ProgramFolder() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
+}  // namespace ronda
