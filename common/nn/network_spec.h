@@ -17,12 +17,12 @@ namespace ronda {
 struct NetworkSpec {
   enum class Kind { kMlp, kCandidateScorer };
   Kind kind = Kind::kMlp;
-  int observation_size = 0;  // O
-  int num_actions = 0;       // A
-  int features = 0;          // F, scorer only: O = A·F
-  std::vector<int> hidden;   // widths
+  int observation_size = 0;      // O
+  int num_actions = 0;           // A
+  int features = 0;              // F, scorer only: O = A·F
+  std::vector<int> hidden = {};  // widths
   bool layer_norm = false;
-  std::string schema;  // name of the observation that it reads: letters, digits, '-', '_', '.'
+  std::string schema = {};  // name of the observation that it reads: letters, digits, '-', '_', '.'
   friend bool operator==(const NetworkSpec&, const NetworkSpec&) = default;
 };
 
