@@ -16,14 +16,9 @@ namespace ronda {
 
 struct LearnerOptions {
   std::uint64_t incarnation = 0;
-  std::uint64_t architecture_hash = 0;
+  std::uint64_t weights_version = 0;  // the last one published before, so that versions only grow
   std::chrono::milliseconds publish_every{100};
-};
-
-/// What a restart must not forget besides the algorithm's own state.
-struct LearnerCounters {
-  std::uint64_t updates = 0;
-  std::uint64_t weights_version = 0;
+  bool send_priorities = false;  // where the replay samples by priority
 };
 
 class Learner {
@@ -33,13 +28,13 @@ class Learner {
   /// All references must outlive the learner. Publishes once at the first Step, so that actors have
   /// weights to act with.
   Learner(Algorithm& algorithm, BatchSource& batches, PrioritySink& priorities, WeightSink& weights,
-          const LearnerOptions& options, const LearnerCounters& counters);
+          const LearnerOptions& options);
 
   int Step(TimePoint now, std::chrono::milliseconds wait_at_most);
   /// Publishes the present weights as a new version.
   void Publish(TimePoint now);
 
-  const LearnerCounters& counters() const { return counters_; }
+  std::uint64_t weights_version() const { return snapshot_.version; }
   const UpdateStats& last_update() const { return last_update_; }
   /// Mean over the last mini-batch of how many versions old the acting weights were.
   double policy_lag_versions() const { return policy_lag_versions_; }
@@ -52,7 +47,6 @@ class Learner {
   PrioritySink& priorities_;
   WeightSink& weights_;
   LearnerOptions options_;
-  LearnerCounters counters_;
   UpdateStats last_update_;
   double policy_lag_versions_ = 0.0;
   bool published_ = false;

@@ -1,0 +1,31 @@
+#pragma once
+// The part of the configuration that every process of a run reads: [run], [interface] and [dds].
+//
+// [interface] holds what follows from the map and the observation; the launcher works it out and
+// writes it down, so replay and learner need to know no environment. Errors: InputError as
+// config.h.
+#include <cstdint>
+#include <string>
+
+#include "common/rl/transition.h"
+#include "common/run/config.h"
+
+namespace ronda {
+
+struct RunConfig {
+  std::string map;
+  int agents = 10;
+  int actors = 1;
+  std::string algorithm;
+  std::uint64_t seed = 1;
+  double budget_s = 0.0;               // training time of the run folder; 0: no limit
+  std::uint64_t budget_decisions = 0;  // of the run folder; 0: no limit
+  TransitionShape shape;
+  int features = 0;    // of one candidate, where the observation is made of candidates; else 0
+  std::string schema;  // name of the observation
+  int socket_buffer_bytes = 0;
+};
+
+RunConfig ReadRunConfig(Config& config);
+
+}  // namespace ronda
