@@ -20,8 +20,7 @@ LearnerConfig ReadLearnerConfig(Config& config, const RunConfig& run) {
   DqnConfig& dqn = learner.dqn;
   dqn.network = ReadNetworkSpec(config, run);
   dqn.seed = run.seed;
-  dqn.batch_size = static_cast<std::uint32_t>(
-      config.GetInt("dqn.batch_size", 128, 1, 1024, "transitions in a mini-batch"));
+  dqn.batch_size = run.batch_size;
   dqn.loss.double_q = config.GetBool("dqn.double", true, "Double DQN");
   dqn.loss.loss =
       config.GetString("dqn.loss", "huber", {"huber", "mse"}, "loss of the TD error") == "mse"

@@ -6,15 +6,14 @@
 
 namespace ronda {
 
-ReplayServerConfig ReadReplayConfig(Config& config, const RunConfig& run,
-                                    std::uint32_t batch_size) {
+ReplayServerConfig ReadReplayConfig(Config& config, const RunConfig& run) {
   const auto whole = [&](const char* key, std::int64_t fallback, std::int64_t most,
                          const char* doc) {
     return static_cast<std::uint64_t>(config.GetInt(key, fallback, 1, most, doc));
   };
   ReplayServerConfig replay;
   replay.shape = run.shape;
-  replay.batch_size = batch_size;
+  replay.batch_size = run.batch_size;
   replay.capacity = whole("replay.capacity", 100'000, 100'000'000, "transitions held");
   replay.window =
       whole("replay.window", 1024, 1'000'000, "transitions that one actor may have on the way");
@@ -36,7 +35,7 @@ ReplayServerConfig ReadReplayConfig(Config& config, const RunConfig& run,
         "replay.min_size: must be at most replay.capacity = {}, or nothing is ever sampled, got {}",
         replay.capacity, replay.rate_limiter.min_size));
   }
-  [[maybe_unused]] const RateLimiter checked(replay.rate_limiter, batch_size);
+  [[maybe_unused]] const RateLimiter checked(replay.rate_limiter, run.batch_size);
   return replay;
 }
 

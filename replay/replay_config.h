@@ -7,7 +7,6 @@
 
 namespace ronda {
 
-/// `batch_size` is the learner's.
-ReplayServerConfig ReadReplayConfig(Config& config, const RunConfig& run, std::uint32_t batch_size);
+ReplayServerConfig ReadReplayConfig(Config& config, const RunConfig& run);
 
 }  // namespace ronda

@@ -27,6 +27,8 @@ RunConfig ReadRunConfig(Config& config) {
   run.features = static_cast<int>(
       config.GetInt("interface.features", 0, 0, 10'000, "features of one candidate; 0: none"));
   run.schema = config.GetString("interface.schema", "", {}, "name of the observation");
+  run.batch_size = static_cast<std::uint32_t>(
+      config.GetInt("dqn.batch_size", 128, 1, 1024, "transitions in a mini-batch"));
   run.socket_buffer_bytes =
       static_cast<int>(config.GetInt("dds.socket_buffer_bytes", 4 << 20, 65'536, 1 << 30,
                                      "asked of the kernel, which may give less; bytes"));

@@ -1,5 +1,5 @@
 #pragma once
-// The part of the configuration that every process of a run reads: [run], [interface] and [dds].
+// The part of the configuration that every process of a run reads: [run], [interface], [dds] and the batch size.
 //
 // [interface] holds what follows from the map and the observation; the launcher works it out and
 // writes it down, so replay and learner need to know no environment. Errors: InputError as
@@ -23,6 +23,7 @@ struct RunConfig {
   TransitionShape shape;
   int features = 0;    // of one candidate, where the observation is made of candidates; else 0
   std::string schema;  // name of the observation
+  std::uint32_t batch_size = 128;  // what replay and learner agree on
   int socket_buffer_bytes = 0;
 };
 
