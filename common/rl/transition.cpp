@@ -9,10 +9,13 @@ void TransitionBatch::Append(const Transition& transition) {
                   transition.next_observation.size() == shape.observation_size &&
                   transition.next_legal_actions.size() == shape.num_actions &&
                   transition.extras.size() == shape.extras_size,
-              "a transition of {}/{}/{}/{} floats for a batch of {}/{}/{}", transition.observation.size(),
-              transition.next_observation.size(), transition.next_legal_actions.size(),
-              transition.extras.size(), shape.observation_size, shape.num_actions, shape.extras_size);
-  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+              "a transition of {}/{}/{}/{} floats for a batch of {}/{}/{}",
+              transition.observation.size(), transition.next_observation.size(),
+              transition.next_legal_actions.size(), transition.extras.size(),
+              shape.observation_size, shape.num_actions, shape.extras_size);
+  const auto append = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
   append(observations, transition.observation);
   actions.push_back(transition.action);
   rewards.push_back(transition.reward);
