@@ -349,7 +349,7 @@ TEST_CASE("A state that does not fit is refused and nothing changes") {
   refused([](AlgorithmState& s) { s.architecture_hash ^= 1; }, "architecture");
   refused([](AlgorithmState& s) { s.progress = std::nan(""); }, "progress must be 0 to 1, got nan");
   refused([](AlgorithmState& s) { s.vectors.pop_back(); }, "3 vectors instead of 4");
-  refused([](AlgorithmState& s) { s.vectors[1].name = "x"; }, "\"x\" instead of \"target\"");
+  refused([](AlgorithmState& s) { s.vectors[1].name.clear(); }, "\"\" instead of \"target\"");
   refused([](AlgorithmState& s) { s.vectors[2].values.pop_back(); }, "\"adam.m\" has");
   refused([](AlgorithmState& s) { s.vectors[3].values[0] = std::nanf(""); }, "not finite");
 }
