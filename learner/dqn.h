@@ -20,7 +20,7 @@ enum class TargetUpdate { kHard, kPolyak };
 
 struct DqnConfig {
   NetworkSpec network{.kind = NetworkSpec::Kind::kCandidateScorer, .hidden = {64, 64}};
-  DqnLossConfig loss;
+  DqnLossConfig loss = {};
   std::uint32_t batch_size = 128;     // what to ask the replay for; Update takes any
   double learning_rate_start = 1e-3;  // at progress 0
   double learning_rate_end = 1e-4;    // at progress 1
@@ -28,7 +28,7 @@ struct DqnConfig {
   TargetUpdate target_update = TargetUpdate::kHard;
   std::uint64_t target_interval = 1000;  // updates, kHard
   double polyak = 0.005;                 // τ, kPolyak
-  AdamConfig adam;
+  AdamConfig adam = {};
   std::uint64_t seed = 1;  // of the first weights
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 // C (M, N) = A (M, K) · B (K, N) + start: the one product that every layer is made of.
 //
-// A is read with strides, so Aᵀ costs nothing; B and C are packed row-major. Two implementations:
-// Eigen (any scalar, any CPU; compiled for the baseline instruction set), and for float on CPUs
-// with AVX2 or AVX-512 a register tile (gemm_tile.h), chosen once at run time. The tile accumulates
-// in the order of k, so the result depends on the instruction set but not on M: a row has the same
-// value alone and in a batch. Thread-safe; no allocation in the tile.
+// A is read with strides, so Aᵀ costs nothing; B and C are packed row-major. Double goes to Eigen.
+// Float goes to a register tile (gemm_tile.h) compiled for three instruction sets, of which the
+// CPU's best is chosen once at run time: Eigen could only be compiled for one, and at the baseline
+// it is a fifth as fast where there is AVX-512 and half as fast on a decision's few rows
+// (bench/learner_bench prints the ratios). A tile sums in the order of k, so the result depends on
+// the instruction set but not on M: a row has the same value alone and in a batch. Sizes ≥ 0, K
+// ≥ 1. Thread-safe; the tile allocates nothing.
 #include <cstddef>
 
 namespace ronda {
