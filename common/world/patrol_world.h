@@ -9,18 +9,20 @@
 // "simultaneous" does not depend on the order of additions.
 //
 //   world.Reset(starts, rng);
-//   while (const auto arrival = world.NextArrival(until_s)) world.Depart(arrival->robot,
-//   next_vertex); world.AdvanceTo(until_s);
+//   while (const auto arrival = world.NextArrival(until_s))
+//     world.Depart(arrival->robot, next_vertex);
+//   world.AdvanceTo(until_s);
 //
-// AGI and WI over [measure_from_s, now] are exact (piecewise linear integrals at the events). No
-// allocation after Reset. O(N) an event. Thread-compatible; copyable (a copy is an independent
-// world in the same state). Source: thesis §1.2, §1.3, §4.2; docs/design of the metrics:
-// patrol_metrics.
-#include <cstdint>
+// AGI and WI over [BeginMeasurement, now] are exact (piecewise linear integrals at the events). No
+// allocation after the first Reset. O(N) an event. Thread-compatible; copyable (a copy is an
+// independent world in the same state). Source: thesis §1.2, §1.3, §4.2.
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "common/base/check.h"
 #include "common/base/rng.h"
 #include "common/world/patrol_graph.h"
 
@@ -39,6 +41,14 @@ struct WorldOptions {
   double travel_noise = 0.0;  // σ ≥ 0: a traversal takes length/speed · exp(σZ − σ²/2)
 };
 
+/// The resolution of time, 2^-30 s.
+inline constexpr double kTimeStep_s = 0x1p-30;
+
+/// A duration on the grid of time: rounded to the nearest multiple of kTimeStep_s, never 0.
+inline double RoundedDuration_s(double duration_s) {
+  return std::max(kTimeStep_s, std::nearbyint(duration_s * 0x1p30) * kTimeStep_s);
+}
+
 /// A robot has arrived and waits for its next vertex.
 struct Arrival {
   int robot = 0;
@@ -50,6 +60,8 @@ struct Arrival {
 class PatrolWorld {
  public:
   /// `graph` must outlive the world.
+  /// At least one robot, speeds positive and finite, noise not negative and finite; else
+  /// InputError.
   PatrolWorld(const PatrolGraph& graph, const WorldOptions& options);
 
   /// Time 0, idleness 0 everywhere; the robots' starts (N of them) will be the first arrivals.
@@ -84,6 +96,10 @@ class PatrolWorld {
   int previous_vertex(int robot) const { return previous_[robot]; }  // −1 before its first move
   double speed_mps(int robot) const { return speed_mps_[robot]; }
   double total_speed_mps() const { return total_speed_mps_; }
+  /// How long the robot takes for `length_m` without noise; what a team announces and expects.
+  double travel_time_s(int robot, double length_m) const {
+    return RoundedDuration_s(length_m * pace_spm_[robot]);
+  }
 
   /// Over [BeginMeasurement, now], open intervals included; s.
   double average_graph_idleness_s() const;
@@ -93,6 +109,14 @@ class PatrolWorld {
   double instantaneous_worst_idleness_s() const;
 
  private:
+  /// ∫ idleness of `vertex` since its last visit or the beginning of the window, up to now; s².
+  double OpenIntegral_s2(int vertex) const {
+    const double idleness_s = time_s_ - last_visit_s_[vertex];
+    const double before_s = std::max(0.0, measure_from_s_ - last_visit_s_[vertex]);
+    return 0.5 * (idleness_s * idleness_s - before_s * before_s);
+  }
+  double NoiseFactor();
+
   const PatrolGraph* graph_;
   double travel_noise_;
   double total_speed_mps_ = 0.0;
@@ -103,10 +127,43 @@ class PatrolWorld {
   double worst_closed_s_ = 0.0;
   int waiting_ = -1;               // the robot that NextArrival returned and that has not departed
   std::vector<double> speed_mps_;  // (N)
+  std::vector<double> pace_spm_;   // (N) seconds per metre
   std::vector<int> target_;        // (N)
   std::vector<int> previous_;      // (N)
   std::vector<double> arrival_s_;  // (N)
   std::vector<double> last_visit_s_;  // (V)
 };
+
+inline std::optional<Arrival> PatrolWorld::NextArrival(double until_s) {
+  RONDA_CHECK(waiting_ < 0, "robot {} waits for its next vertex", waiting_);
+  int robot = 0;  // the earliest, the lowest index among equals
+  double earliest_s = arrival_s_[0];
+  for (int other = 1; other < robot_count(); ++other) {
+    if (arrival_s_[other] < earliest_s) {
+      earliest_s = arrival_s_[other];
+      robot = other;
+    }
+  }
+  if (earliest_s > until_s) return std::nullopt;
+  time_s_ = earliest_s;
+  waiting_ = robot;
+  const int vertex = target_[robot];
+  const double idleness_s = time_s_ - last_visit_s_[vertex];
+  idleness_integral_s2_ += OpenIntegral_s2(vertex);
+  worst_closed_s_ = std::max(worst_closed_s_, idleness_s);
+  last_visit_s_[vertex] = time_s_;
+  return Arrival{.robot = robot, .vertex = vertex, .time_s = time_s_, .idleness_s = idleness_s};
+}
+
+inline void PatrolWorld::Depart(int robot, int next_vertex) {
+  RONDA_CHECK(robot == waiting_, "robot {} does not wait for its next vertex", robot);
+  const int vertex = target_[robot];
+  double duration_s = graph_->edge_length_m(vertex, next_vertex) * pace_spm_[robot];
+  if (travel_noise_ > 0.0) duration_s *= NoiseFactor();
+  previous_[robot] = vertex;
+  target_[robot] = next_vertex;
+  arrival_s_[robot] = time_s_ + RoundedDuration_s(duration_s);
+  waiting_ = -1;
+}
 
 }  // namespace ronda

@@ -1,0 +1,111 @@
+#include "common/world/patrol_world.h"
+
+#include <fmt/format.h>
+
+#include <numeric>
+#include <utility>
+
+#include "common/base/error.h"
+
+namespace ronda {
+
+PatrolWorld::PatrolWorld(const PatrolGraph& graph, const WorldOptions& options)
+    : graph_(&graph), travel_noise_(options.travel_noise), speed_mps_(options.speeds_mps) {
+  if (speed_mps_.empty()) throw InputError("a patrolled world needs at least 1 robot, got 0");
+  if (!(travel_noise_ >= 0.0) || !std::isfinite(travel_noise_)) {
+    throw InputError(fmt::format("travel noise must be ≥ 0 and finite, got {}", travel_noise_));
+  }
+  for (std::size_t robot = 0; robot < speed_mps_.size(); ++robot) {
+    const double speed_mps = speed_mps_[robot];
+    if (!(speed_mps > 0.0) || !std::isfinite(speed_mps)) {
+      throw InputError(
+          fmt::format("robot {}: a speed must be > 0 m/s and finite, got {}", robot, speed_mps));
+    }
+    pace_spm_.push_back(1.0 / speed_mps);
+    total_speed_mps_ += speed_mps;
+  }
+  target_.resize(speed_mps_.size());
+  previous_.resize(speed_mps_.size());
+  arrival_s_.resize(speed_mps_.size());
+  last_visit_s_.resize(static_cast<std::size_t>(graph.vertex_count()));
+}
+
+void PatrolWorld::Reset(std::span<const RobotStart> starts, const Rng& rng) {
+  RONDA_CHECK(starts.size() == target_.size(), "{} starts for {} robots", starts.size(),
+              target_.size());
+  rng_ = rng;
+  time_s_ = 0.0;
+  waiting_ = -1;
+  std::fill(last_visit_s_.begin(), last_visit_s_.end(), 0.0);
+  for (int robot = 0; robot < robot_count(); ++robot) {
+    const RobotStart& start = starts[robot];
+    const bool on_edge = start.remaining_m > 0.0;
+    RONDA_CHECK(!on_edge || start.remaining_m <= graph_->edge_length_m(start.vertex, start.next),
+                "robot {} starts {} m before vertex {}, beyond its edge", robot, start.remaining_m,
+                start.next);
+    target_[robot] = on_edge ? start.next : start.vertex;
+    previous_[robot] = on_edge ? start.vertex : -1;
+    arrival_s_[robot] = on_edge ? travel_time_s(robot, start.remaining_m) : 0.0;
+  }
+  BeginMeasurement();
+}
+
+std::vector<RobotStart> PatrolWorld::RandomStarts(const PatrolGraph& graph, int robots, Rng& rng) {
+  std::vector<int> order(static_cast<std::size_t>(graph.vertex_count()));
+  std::vector<RobotStart> starts;
+  starts.reserve(static_cast<std::size_t>(robots));
+  while (static_cast<int>(starts.size()) < robots) {
+    // The next part of a random order of all vertices (Fisher & Yates), begun anew after each pass.
+    const auto position = static_cast<std::uint32_t>(starts.size() % order.size());
+    if (position == 0) std::iota(order.begin(), order.end(), 0);
+    const auto left = static_cast<std::uint32_t>(order.size()) - position;
+    std::swap(order[position], order[position + rng.Below(left)]);
+    starts.push_back({.vertex = order[position], .next = order[position]});
+  }
+  return starts;
+}
+
+void PatrolWorld::AdvanceTo(double time_s) {
+  RONDA_CHECK(waiting_ < 0, "robot {} waits for its next vertex", waiting_);
+  const double next_s = *std::min_element(arrival_s_.begin(), arrival_s_.end());
+  RONDA_CHECK(time_s_ <= time_s && time_s <= next_s,
+              "the clock can go from {} s to the next arrival at {} s, not to {} s", time_s_,
+              next_s, time_s);
+  time_s_ = time_s;
+}
+
+void PatrolWorld::BeginMeasurement() {
+  measure_from_s_ = time_s_;
+  idleness_integral_s2_ = 0.0;
+  worst_closed_s_ = 0.0;
+}
+
+double PatrolWorld::NoiseFactor() {
+  return std::exp(travel_noise_ * rng_.Normal() - 0.5 * travel_noise_ * travel_noise_);
+}
+
+double PatrolWorld::average_graph_idleness_s() const {
+  const double window_s = time_s_ - measure_from_s_;
+  RONDA_CHECK(window_s > 0.0, "a mean over a window of {} s", window_s);
+  double integral_s2 = idleness_integral_s2_;
+  for (int vertex = 0; vertex < graph_->vertex_count(); ++vertex) {
+    integral_s2 += OpenIntegral_s2(vertex);
+  }
+  return integral_s2 / (window_s * graph_->vertex_count());
+}
+
+double PatrolWorld::worst_idleness_s() const {
+  return std::max(worst_closed_s_, instantaneous_worst_idleness_s());
+}
+
+double PatrolWorld::instantaneous_graph_idleness_s() const {
+  double sum_s = 0.0;
+  for (const double last_s : last_visit_s_) sum_s += time_s_ - last_s;
+  return sum_s / graph_->vertex_count();
+}
+
+double PatrolWorld::instantaneous_worst_idleness_s() const {
+  return time_s_ - *std::min_element(last_visit_s_.begin(), last_visit_s_.end());
+}
+
+}  // namespace ronda
