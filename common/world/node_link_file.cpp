@@ -159,7 +159,7 @@ class NodeLinkParser {
     const int source = VertexOf(Member(link, element, "source"), element + ".source");
     const int target = VertexOf(Member(link, element, "target"), element + ".target");
     if (source == target) {
-      Fail(element, "must join two nodes, got a loop", link.at("source"));
+      Fail(element, "the ends must differ", link.at("target"));
     }
     const double length_m = LengthOf(link, element, source, target);
     const auto ends = directed ? std::pair(source, target)

@@ -34,13 +34,13 @@ struct ClosedWalk {
 
 /// What a map file says, before it has become a graph.
 struct GraphData {
-  std::string name;
-  std::vector<std::string> vertex_ids;  // (V)
-  std::vector<Position> positions;      // (V)
-  std::vector<Edge> edges;              // each once, either direction
-  double metres_per_px = 1.0;           // some strategies are defined in px
-  std::string source;                   // where the map comes from, for people
-  std::optional<ClosedWalk> shortest_closed_walk;
+  std::string name = {};
+  std::vector<std::string> vertex_ids = {};  // (V)
+  std::vector<Position> positions = {};      // (V)
+  std::vector<Edge> edges = {};              // each once, either direction
+  double metres_per_px = 1.0;                // some strategies are defined in px
+  std::string source = {};                   // where the map comes from, for people
+  std::optional<ClosedWalk> shortest_closed_walk = {};
 };
 
 class PatrolGraph {
