@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <set>
 
 #include "tests/unit/graph/graphs.h"
 
@@ -24,27 +25,31 @@ void CheckIsClosedWalk(const PatrolGraph& graph, const ClosedWalk& walk) {
   CHECK_NOTHROW(PatrolGraph(data));
 }
 
-/// Vertices that edges with x_e ≥ ½ join to vertex 0.
-std::vector<bool> JoinedToFirst(const PatrolGraph& graph, glp_prob* problem) {
-  std::vector<bool> joined(graph.vertex_count(), false);
-  joined[0] = true;
-  for (bool grew = true; grew;) {
-    grew = false;
+/// The component of each vertex, by its lowest vertex, in the graph of the edges with x_e ≥ ½.
+std::vector<int> Components(const PatrolGraph& graph, glp_prob* problem) {
+  std::vector<int> component(graph.vertex_count());
+  std::iota(component.begin(), component.end(), 0);
+  for (bool changed = true; changed;) {
+    changed = false;
     for (int e = 0; e < graph.edge_count(); ++e) {
-      const auto [a, b, length_m] = graph.edges()[e];
-      if (glp_mip_col_val(problem, e + 1) < 0.5 || joined[a] == joined[b]) continue;
-      joined[a] = joined[b] = grew = true;
+      int& a = component[graph.edges()[e].source];
+      int& b = component[graph.edges()[e].target];
+      if (glp_mip_col_val(problem, e + 1) < 0.5 || a == b) continue;
+      a = b = std::min(a, b);
+      changed = true;
     }
   }
-  return joined;
+  return component;
 }
 
-/// Adds x(δ(S)) ≥ 2 for the set S of vertices marked.
-void AddCut(const PatrolGraph& graph, glp_prob* problem, const std::vector<bool>& marked) {
+/// Adds x(δ(S)) ≥ 2 for the set S of vertices of one component.
+void AddCut(const PatrolGraph& graph, glp_prob* problem, const std::vector<int>& component,
+            int cut_off) {
   std::vector<int> columns{0};
   for (int e = 0; e < graph.edge_count(); ++e) {
-    if (marked[graph.edges()[e].source] != marked[graph.edges()[e].target])
-      columns.push_back(e + 1);
+    const bool source_in = component[graph.edges()[e].source] == cut_off;
+    const bool target_in = component[graph.edges()[e].target] == cut_off;
+    if (source_in != target_in) columns.push_back(e + 1);
   }
   const std::vector<double> ones(columns.size(), 1.0);
   const int row = glp_add_rows(problem, 1);
@@ -86,12 +91,15 @@ double ExactShortestClosedWalk_m(const PatrolGraph& graph) {
   glp_init_iocp(&options);
   options.presolve = GLP_ON;
   options.msg_lev = GLP_MSG_OFF;
+  options.mir_cuts = GLP_ON;
+  options.gmi_cuts = GLP_ON;
   while (true) {
     REQUIRE(glp_intopt(problem.get(), &options) == 0);
     REQUIRE(glp_mip_status(problem.get()) == GLP_OPT);
-    const std::vector<bool> joined = JoinedToFirst(graph, problem.get());
-    if (std::find(joined.begin(), joined.end(), false) == joined.end()) break;
-    AddCut(graph, problem.get(), joined);
+    const std::vector<int> component = Components(graph, problem.get());
+    const std::set<int> parts(component.begin(), component.end());
+    if (parts.size() == 1) break;
+    for (const int part : parts) AddCut(graph, problem.get(), component, part);
   }
   return glp_mip_obj_val(problem.get());
 }
