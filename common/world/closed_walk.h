@@ -1,10 +1,11 @@
 #pragma once
-// The shortest closed walk through all vertices: exact where a map came with one, else the best of
-// many local searches.
+// A short closed walk through all vertices of a patrol graph: the tour that cyclic strategies
+// follow, and the L_tsp that the steady protocol's reference time rests on.
 //
-// On the metric closure it is the travelling-salesman problem: nearest-neighbour starts, 2-opt and
-// Or-opt (Croes 1958, Or 1976), random restarts from a fixed seed. The result is an upper value,
-// and says so. About 1 s at |V| = 1000.
+// The walk is a travelling-salesman tour on the metric closure (shortest-path distances), found by
+// 2-opt (Croes 1958) and Or-opt (Or 1976) from many starts, then expanded to walk along edges; what
+// comes out is an upper value of the shortest. O(V²) memory beyond the paths; about a second at
+// V = 1000. Deterministic in the seed. Pure functions.
 #include <cstdint>
 
 #include "common/world/patrol_graph.h"
@@ -12,10 +13,11 @@
 
 namespace ronda {
 
-/// The walk that came with the map, else the one that FindShortClosedWalk finds with seed 1.
-ClosedWalk ClosedWalkOf(const PatrolGraph& graph, const ShortestPaths& paths);
+/// `paths` are those of `graph`.
+ClosedWalk FindShortestClosedWalk(const PatrolGraph& graph, const ShortestPaths& paths,
+                                  std::uint64_t seed);
 
-ClosedWalk FindShortClosedWalk(const PatrolGraph& graph, const ShortestPaths& paths,
-                               std::uint64_t seed);
+/// The walk that came with the map, else one found with a fixed seed; `source` says which.
+ClosedWalk ClosedWalkOf(const PatrolGraph& graph, const ShortestPaths& paths);
 
 }  // namespace ronda

@@ -1,70 +1,87 @@
 #include "common/world/graph_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <system_error>
+#include <utility>
 
 #include "common/base/error.h"
-#include "common/world/map_formats.h"
+#include "common/world/dot_graph_file.h"
+#include "common/world/node_link_file.h"
 
 namespace ronda {
 namespace {
 
-std::string ReadAll(const std::filesystem::path& path) {
+namespace fs = std::filesystem;
+
+std::string ReadText(const fs::path& path) {
+  constexpr std::uintmax_t kMaxBytes = 64u << 20;
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    throw InputError(fmt::format("{}: is a folder, not a map file", path.string()));
+  if (!fs::is_regular_file(path, error)) {
+    throw InputError(fmt::format("{}: a map must be a file that can be read, got {}", path.string(),
+                                 fs::exists(path, error) ? "something else" : "nothing there"));
+  }
+  const std::uintmax_t size_bytes = fs::file_size(path, error);
+  if (!error && size_bytes > kMaxBytes) {
+    throw InputError(fmt::format("{}: a map file must be at most {} bytes, got {}", path.string(),
+                                 kMaxBytes, size_bytes));
   }
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(fmt::format("{}: cannot be opened for reading", path.string()));
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) throw InputError(fmt::format("{}: cannot be read", path.string()));
+  return text;
 }
 
-std::string ShippedNames(const std::filesystem::path& maps_dir) {
+std::vector<std::string> ShippedMaps(const fs::path& maps_dir) {
   std::vector<std::string> names;
   std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(maps_dir, error)) {
+  for (const auto& entry : fs::directory_iterator(maps_dir, error)) {
     if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
-  return fmt::format("{}", fmt::join(names, ", "));
+  return names;
 }
 
 }  // namespace
 
-PatrolGraph ReadGraphFile(const std::filesystem::path& path, EdgeLengthSource length_source,
+PatrolGraph ReadGraphFile(const fs::path& path, EdgeLengthSource length_source,
                           std::vector<std::string>* warnings) {
-  const std::string text = ReadAll(path);
-  const std::string name = path.filename().string();
-  std::vector<std::string> ignored;
-  auto& notes = warnings != nullptr ? *warnings : ignored;
-  if (path.extension() == ".graph") {
-    return PatrolGraph(ParsePatrolSimGraph(text, name, length_source, notes));
+  const std::string extension = path.extension().string();
+  if (extension != ".graph" && extension != ".json") {
+    throw InputError(fmt::format("{}: the name of a map file must end in .graph or .json, got '{}'",
+                                 path.string(), extension));
   }
-  if (path.extension() == ".json") {
-    return PatrolGraph(ParseNodeLinkGraph(text, name, length_source, notes));
+  const std::string text = ReadText(path);
+  std::vector<std::string> found;
+  GraphData data = extension == ".graph" ? ParseDotGraph(text, path.string(), length_source, found)
+                                         : ParseNodeLink(text, path.string(), length_source, found);
+  if (data.name.empty()) data.name = path.stem().string();
+  try {
+    PatrolGraph graph(std::move(data));
+    if (warnings != nullptr) warnings->insert(warnings->end(), found.begin(), found.end());
+    return graph;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
   }
-  throw InputError(fmt::format("{}: a map file ends in .graph or .json, got '{}'", path.string(),
-                               path.extension().string()));
 }
 
-PatrolGraph LoadMap(const std::string& name_or_path, const std::filesystem::path& maps_dir,
+PatrolGraph LoadMap(const std::string& name_or_path, const fs::path& maps_dir,
                     EdgeLengthSource length_source, std::vector<std::string>* warnings) {
-  std::error_code error;
-  const bool names_a_file = name_or_path.find('/') != std::string::npos ||
-                            std::filesystem::path(name_or_path).has_extension();
-  if (names_a_file || std::filesystem::is_regular_file(name_or_path, error)) {
-    return ReadGraphFile(name_or_path, length_source, warnings);
+  const fs::path path(name_or_path);
+  if (path.has_parent_path() || path.extension() == ".graph" || path.extension() == ".json") {
+    return ReadGraphFile(path, length_source, warnings);
   }
-  const auto shipped = maps_dir / (name_or_path + ".json");
-  if (!name_or_path.empty() && std::filesystem::is_regular_file(shipped, error)) {
-    return ReadGraphFile(shipped, length_source, warnings);
+  const std::vector<std::string> shipped = ShippedMaps(maps_dir);
+  if (std::find(shipped.begin(), shipped.end(), name_or_path) == shipped.end()) {
+    throw InputError(
+        fmt::format("a map must be a .graph or .json file or one of the maps in {} ({}), got '{}'",
+                    maps_dir.string(), fmt::join(shipped, ", "), name_or_path));
   }
-  throw InputError(
-      fmt::format("no map is called '{}', and no file has that name; maps that ship: {}",
-                  name_or_path, ShippedNames(maps_dir)));
+  return ReadGraphFile(maps_dir / (name_or_path + ".json"), length_source, warnings);
 }
 
 }  // namespace ronda

@@ -1,5 +1,6 @@
 #pragma once
-// Reads maps: `.graph` files (the format of the ROS patrolling_sim) and NetworkX node-link JSON.
+// Reads and writes maps: `.graph` files (the format of the ROS patrolling_sim) and NetworkX
+// node-link JSON.
 //
 // What breaks a rule throws InputError with file, line (or element), rule and value. What is odd
 // but has one sensible reading (a neighbour listed twice, a one-way arc, two vertices on one point,
@@ -29,5 +30,10 @@ PatrolGraph ReadGraphFile(const std::filesystem::path& path, EdgeLengthSource le
 /// none.
 PatrolGraph LoadMap(const std::string& name_or_path, const std::filesystem::path& maps_dir,
                     EdgeLengthSource length_source, std::vector<std::string>* warnings);
+
+/// Writes a map as node-link JSON that ReadGraphFile reads back to the same graph: one vertex and
+/// one edge a line, `length` only where it is not the distance between the ends. Throws InputError
+/// when the file cannot be written.
+void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path);
 
 }  // namespace ronda

@@ -34,19 +34,24 @@ struct ClosedWalk {
 
 /// What a map file says, before it has become a graph.
 struct GraphData {
-  std::string name;
-  std::vector<std::string> vertex_ids;  // (V)
-  std::vector<Position> positions;      // (V)
-  std::vector<Edge> edges;              // each once, either direction
-  double metres_per_px = 1.0;           // some strategies are defined in px
-  std::optional<ClosedWalk> shortest_closed_walk;
+  std::string name = {};
+  std::vector<std::string> vertex_ids = {};  // (V)
+  std::vector<Position> positions = {};      // (V)
+  std::vector<Edge> edges = {};              // each once, either direction
+  double metres_per_px = 1.0;                // some strategies are defined in px
+  std::string source = {};                   // where the map comes from, for people
+  std::optional<ClosedWalk> shortest_closed_walk = {};
 };
 
 class PatrolGraph {
  public:
-  /// Throws InputError when an edge is not positive and finite, names no vertex, is a loop or
-  /// stands twice, when an id stands twice, or when the graph is not connected; the message names
-  /// the element.
+  /// Bounds the memory of all-pairs tables (1.2 GB), whatever a file says.
+  static constexpr int kMaxVertices = 10000;
+
+  /// Throws InputError when there are fewer than 2 vertices or more than kMaxVertices, when an edge
+  /// is not positive and finite, names no vertex, is a loop or stands twice, when an id stands
+  /// twice, when the graph is not connected, or when the closed walk is none; the message names the
+  /// element.
   explicit PatrolGraph(GraphData data);
 
   const std::string& name() const { return data_.name; }
@@ -72,6 +77,7 @@ class PatrolGraph {
   const std::vector<Position>& positions() const { return data_.positions; }
   const std::string& vertex_id(int vertex) const { return data_.vertex_ids[vertex]; }
   double metres_per_px() const { return data_.metres_per_px; }
+  const std::string& source() const { return data_.source; }
   /// The shortest closed walk that came with the map, if one did.
   const std::optional<ClosedWalk>& shortest_closed_walk() const {
     return data_.shortest_closed_walk;
