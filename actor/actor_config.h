@@ -1,0 +1,23 @@
+#pragma once
+// [environment], [exploration] and [actor] of the configuration. Errors: InputError as
+// run/config.h.
+#include <chrono>
+
+#include "actor/exploration.h"
+#include "common/environments/patrol_environment.h"
+#include "common/run/config.h"
+#include "common/run/run_config.h"
+
+namespace ronda {
+
+struct ActorConfig {
+  PatrolEnvironmentConfig environment;  // closed_walk_m is the map's: the caller sets it
+  ExplorationConfig exploration;
+  int n_steps = 1;
+  std::uint32_t batch_size = 256;  // transitions in a message
+  std::chrono::milliseconds max_age{10};
+};
+
+ActorConfig ReadActorConfig(Config& config, const RunConfig& run);
+
+}  // namespace ronda
