@@ -1,0 +1,119 @@
+#include "common/evaluation/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "common/base/check.h"
+#include "common/evaluation/report_json.h"
+
+namespace ronda {
+namespace {
+
+constexpr std::size_t kColumns = 8;
+using Row = std::array<std::string, kColumns>;
+
+/// Characters as a terminal counts them (bytes that do not continue a UTF-8 sequence).
+std::size_t DisplayWidth(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+/// Names on the left, figures on the right, two spaces between.
+std::string FormatTable(const std::vector<Row>& rows) {
+  std::array<std::size_t, kColumns> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < kColumns; ++c) {
+      widths[c] = std::max(widths[c], DisplayWidth(row[c]));
+    }
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < kColumns; ++c) {
+      const std::string padding(widths[c] - DisplayWidth(row[c]), ' ');
+      line += (c > 0 ? "  " : "") + (c < 2 ? row[c] + padding : padding + row[c]);
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+std::vector<double> Headline(const EvaluationReport& report) {
+  return report.options.protocol == Protocol::kThesis ? report.result.final_s()
+                                                      : report.result.agi_s();
+}
+
+Estimate RatioToBound(const Estimate& estimate, double bound) {
+  Estimate ratio{.mean = estimate.mean / bound, .ci95 = estimate.ci95};
+  if (ratio.ci95) *ratio.ci95 /= bound;
+  return ratio;
+}
+
+std::string FormatRatio(const Estimate& ratio) {
+  if (!ratio.ci95) return fmt::format("{:.3f}", ratio.mean);
+  return fmt::format("{:.3f} ± {:.3f}", ratio.mean, *ratio.ci95);
+}
+
+Row FormatRow(const EvaluationReport& report, const EvaluationReport* best) {
+  const Estimate agi_s = MeanWithInterval(report.result.agi_s());
+  const bool policy = report.contestant.kind == ContestantKind::kPolicy;
+  return {report.contestant.name,
+          policy ? "as trained" : StrategyKnowledge(report.contestant.name),
+          FormatEstimate(agi_s),
+          FormatEstimate(MeanWithInterval(report.result.wi_s())),
+          FormatEstimate(MeanWithInterval(report.result.final_s())),
+          best == nullptr ? "" : FormatRatio(PairedRatio(Headline(report), Headline(*best))),
+          FormatRatio(RatioToBound(agi_s, report.bounds.agi_s)),
+          report.ratio_to_random ? fmt::format("{:.2f}", *report.ratio_to_random) : ""};
+}
+
+}  // namespace
+
+std::optional<std::size_t> BestClassical(std::span<const EvaluationReport> reports) {
+  std::optional<std::size_t> best;
+  double best_s = 0.0;
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    if (reports[i].contestant.kind != ContestantKind::kStrategy) continue;
+    const double mean_s = MeanWithInterval(Headline(reports[i])).mean;
+    if (!best || mean_s < best_s) {
+      best = i;
+      best_s = mean_s;
+    }
+  }
+  return best;
+}
+
+std::string FormatComparison(std::span<const EvaluationReport> reports) {
+  RONDA_CHECK(!reports.empty(), "a comparison of nothing");
+  const EvaluationReport& first = reports.front();
+  const auto best_index = BestClassical(reports);
+  const EvaluationReport* best = best_index ? &reports[*best_index] : nullptr;
+  const bool thesis = first.options.protocol == Protocol::kThesis;
+  std::vector<Row> rows;
+  rows.push_back({"", "knows", "AGI (s)", "WI (s)", "final (s)",
+                  best == nullptr ? "" : "to best classical", "AGI to bound",
+                  thesis ? "random to it" : ""});
+  for (const EvaluationReport& report : reports) rows.push_back(FormatRow(report, best));
+  rows.push_back({"lower bound", "", fmt::format("{:.2f}", first.bounds.agi_s),
+                  fmt::format("{:.2f}", first.bounds.wi_s), "", "", "", ""});
+  std::string text = FormatSetting(first) + "\n" + FormatTable(rows) + "\n";
+  if (best != nullptr) {
+    text += fmt::format("Best classical strategy by {}: {}; ratios to it are paired by episode.\n",
+                        thesis ? "final idleness" : "AGI", best->contestant.name);
+  }
+  text += "The bounds hold for unlimited time: a finite window may lie a little below them.\n";
+  return text;
+}
+
+std::string ComparisonAsJson(std::span<const EvaluationReport> reports) {
+  auto list = nlohmann::ordered_json::array();
+  for (const EvaluationReport& report : reports) list.push_back(ReportAsJsonValue(report));
+  return list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace ronda

@@ -1,0 +1,211 @@
+#include "common/evaluation/protocol.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "common/base/check.h"
+#include "common/base/error.h"
+
+namespace ronda {
+namespace {
+
+/// Streams of one episode, split from the evaluation's seed.
+struct EpisodeStreams {
+  Rng starts;
+  Rng noise;
+  Rng decisions;
+
+  EpisodeStreams(std::uint64_t seed, int episode)
+      : starts(SplitSeed(seed, 3 * static_cast<std::uint64_t>(episode))),
+        noise(SplitSeed(seed, 3 * static_cast<std::uint64_t>(episode) + 1)),
+        decisions(SplitSeed(seed, 3 * static_cast<std::uint64_t>(episode) + 2)) {}
+};
+
+/// One thread's world and strategy, used for episode after episode.
+class EpisodePlayer {
+ public:
+  EpisodePlayer(const StrategyContext& context, const StrategyFactory& make_strategy,
+                const EvaluationOptions& options, const EvaluationResult& times)
+      : seed_(options.seed),
+        speeds_mps_(static_cast<std::size_t>(options.agents), options.speed_mps),
+        warmup_s_(times.warmup_s),
+        end_s_(times.warmup_s + times.window_s),
+        strategy_(make_strategy()),
+        world_(*context.graph, {.speeds_mps = speeds_mps_, .travel_noise = options.travel_noise}) {}
+
+  /// nullopt when stopped.
+  std::optional<EpisodeResult> Play(int episode, TraceWriter* trace, const std::stop_token& stop) {
+    EpisodeStreams streams(seed_, episode);
+    const auto starts = strategy_->Begin(world_.graph(), speeds_mps_, streams.starts);
+    world_.Reset(starts, streams.noise);
+    if (trace != nullptr) trace->Starts(episode, starts);
+    EpisodeResult result;
+    const auto advance = [&](double until_s) {
+      const bool finished =
+          trace == nullptr
+              ? Decide(until_s, streams.decisions, stop, result.decisions, [](const Arrival&) {})
+              : Decide(until_s, streams.decisions, stop, result.decisions,
+                       [&](const Arrival& arrival) {
+                         const bool starts_here = world_.previous_vertex(arrival.robot) < 0;
+                         if (!starts_here) trace->Visit(episode, arrival);
+                       });
+      if (finished) world_.AdvanceTo(until_s);
+      return finished;
+    };
+    if (!advance(warmup_s_)) return std::nullopt;
+    world_.BeginMeasurement();
+    if (!advance(end_s_)) return std::nullopt;
+    if (trace != nullptr) trace->End(episode, end_s_);
+    result.agi_s = world_.average_graph_idleness_s();
+    result.wi_s = world_.worst_idleness_s();
+    result.final_s = world_.instantaneous_graph_idleness_s();
+    return result;
+  }
+
+ private:
+  /// All arrivals up to `until_s`, each with its decision; false when stopped.
+  template <typename OnArrival>
+  bool Decide(double until_s, Rng& rng, const std::stop_token& stop, std::int64_t& decisions,
+              const OnArrival& on_arrival) {
+    constexpr std::int64_t kStopInterval = 4096;
+    while (const auto arrival = world_.NextArrival(until_s)) {
+      on_arrival(*arrival);
+      world_.Depart(arrival->robot, strategy_->Decide(world_, *arrival, rng));
+      if (++decisions % kStopInterval == 0 && stop.stop_requested()) return false;
+    }
+    return !stop.stop_requested();
+  }
+
+  std::uint64_t seed_;
+  std::vector<double> speeds_mps_;  // (N)
+  double warmup_s_;
+  double end_s_;
+  std::unique_ptr<Strategy> strategy_;
+  PatrolWorld world_;
+};
+
+/// Episodes dealt to threads one by one; the first exception of any ends all and is thrown on.
+class EpisodeQueue {
+ public:
+  explicit EpisodeQueue(int episodes) : episodes_(episodes) {}
+
+  /// The next episode, or nullopt when there is none left.
+  std::optional<int> Take() {
+    const int episode = next_.fetch_add(1);
+    return episode < episodes_ ? std::optional(episode) : std::nullopt;
+  }
+
+  void Fail(std::exception_ptr error) {
+    const std::lock_guard lock(mutex_);
+    if (!error_) error_ = std::move(error);
+    next_ = episodes_;
+  }
+
+  void ThrowOnFailure() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  const int episodes_;
+  std::atomic<int> next_ = 0;
+  std::mutex mutex_;
+  std::exception_ptr error_;
+};
+
+EvaluationResult ProtocolTimes(const StrategyContext& context, const EvaluationOptions& options) {
+  EvaluationResult times;
+  times.t_ref_s = context.closed_walk->length_m / (options.agents * options.speed_mps);
+  const bool steady = options.protocol == Protocol::kSteady;
+  times.warmup_s = steady ? kWarmupTref * times.t_ref_s : 0.0;
+  times.window_s = steady ? kWindowTref * times.t_ref_s : options.horizon_s;
+  return times;
+}
+
+template <typename Field>
+std::vector<double> Column(const std::vector<EpisodeResult>& episodes, Field field) {
+  std::vector<double> column;
+  column.reserve(episodes.size());
+  for (const EpisodeResult& episode : episodes) column.push_back(episode.*field);
+  return column;
+}
+
+}  // namespace
+
+std::vector<double> EvaluationResult::agi_s() const {
+  return Column(episodes, &EpisodeResult::agi_s);
+}
+std::vector<double> EvaluationResult::wi_s() const {
+  return Column(episodes, &EpisodeResult::wi_s);
+}
+std::vector<double> EvaluationResult::final_s() const {
+  return Column(episodes, &EpisodeResult::final_s);
+}
+
+std::int64_t EvaluationResult::decisions() const {
+  std::int64_t sum = 0;
+  for (const EpisodeResult& episode : episodes) sum += episode.decisions;
+  return sum;
+}
+
+void CheckOptions(const EvaluationOptions& options) {
+  const auto check = [](bool holds, std::string_view rule, auto value) {
+    if (!holds) throw UsageError(fmt::format("{}, got {}", rule, value));
+  };
+  check(options.agents >= 1 && options.agents <= kMaxAgents, "agents must be in 1 … 10000",
+        options.agents);
+  check(options.episodes >= 1, "episodes must be ≥ 1", options.episodes);
+  check(options.speed_mps > 0.0 && std::isfinite(options.speed_mps),
+        "speed must be > 0 m/s and finite", options.speed_mps);
+  check(options.travel_noise >= 0.0 && std::isfinite(options.travel_noise),
+        "noise must be ≥ 0 and finite", options.travel_noise);
+  check(options.horizon_s > 0.0 && std::isfinite(options.horizon_s),
+        "horizon must be > 0 s and finite", options.horizon_s);
+}
+
+std::optional<EvaluationResult> Evaluate(const StrategyContext& context,
+                                         const StrategyFactory& make_strategy,
+                                         const EvaluationOptions& options, TraceWriter* trace,
+                                         std::stop_token stop) {
+  CheckOptions(options);
+  EvaluationResult result = ProtocolTimes(context, options);
+  if (trace != nullptr) trace->Begin(result.warmup_s, result.window_s);
+  std::vector<std::optional<EpisodeResult>> episodes(static_cast<std::size_t>(options.episodes));
+  EpisodeQueue queue(options.episodes);
+  const auto work = [&] {
+    try {
+      EpisodePlayer player(context, make_strategy, options, result);
+      while (const auto episode = queue.Take()) {
+        episodes[*episode] = player.Play(*episode, trace, stop);
+      }
+    } catch (...) {
+      queue.Fail(std::current_exception());
+    }
+  };
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int wanted = options.threads > 0 ? options.threads : cores;
+  {
+    std::vector<std::jthread> helpers;
+    const int threads = trace != nullptr ? 1 : std::min(wanted, options.episodes);
+    for (int i = 1; i < threads; ++i) helpers.emplace_back(work);
+    work();
+  }
+  queue.ThrowOnFailure();
+  for (const auto& episode : episodes) {
+    if (!episode) return std::nullopt;
+    result.episodes.push_back(*episode);
+  }
+  return result;
+}
+
+std::string_view ProtocolName(Protocol protocol) {
+  return protocol == Protocol::kSteady ? "steady" : "thesis";
+}
+
+}  // namespace ronda

@@ -1,0 +1,101 @@
+#include "common/evaluation/report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "common/evaluation/report_json.h"
+
+namespace ronda {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json EstimateAsJson(const Estimate& estimate) {
+  Json json;
+  json["mean"] = estimate.mean;
+  json["ci95"] = estimate.ci95 ? Json(*estimate.ci95) : Json(nullptr);
+  return json;
+}
+
+std::string FormatProtocol(const EvaluationReport& report) {
+  const EvaluationResult& result = report.result;
+  if (report.options.protocol == Protocol::kThesis) {
+    return fmt::format("thesis protocol: from zero idleness, horizon {:.6g} s, no warm-up",
+                       result.window_s);
+  }
+  return fmt::format(
+      "steady protocol: warm-up {:.6g} s ({:g} T_ref), window {:.6g} s ({:g} T_ref), T_ref {:.6g} "
+      "s",
+      result.warmup_s, kWarmupTref, result.window_s, kWindowTref, result.t_ref_s);
+}
+
+}  // namespace
+
+Json ReportAsJsonValue(const EvaluationReport& report) {
+  const EvaluationResult& result = report.result;
+  Json json;
+  json["map"] = report.map;
+  json["agents"] = report.options.agents;
+  json[report.contestant.kind == ContestantKind::kPolicy ? "policy" : "strategy"] =
+      report.contestant.name;
+  json["speed_mps"] = report.options.speed_mps;
+  json["noise"] = report.options.travel_noise;
+  json["seed"] = report.options.seed;
+  json["protocol"] = ProtocolName(report.options.protocol);
+  json["episodes"] = result.episodes.size();
+  json["t_ref_s"] = result.t_ref_s;
+  json["warmup_s"] = result.warmup_s;
+  json["window_s"] = result.window_s;
+  json["decisions"] = result.decisions();
+  json["agi_s"] = EstimateAsJson(MeanWithInterval(result.agi_s()));
+  json["wi_s"] = EstimateAsJson(MeanWithInterval(result.wi_s()));
+  json["final_s"] = EstimateAsJson(MeanWithInterval(result.final_s()));
+  if (report.ratio_to_random) json["ratio_to_random"] = *report.ratio_to_random;
+  json["lower_bound_agi_s"] = report.bounds.agi_s;
+  json["lower_bound_wi_s"] = report.bounds.wi_s;
+  return json;
+}
+
+std::string ReportAsJson(const EvaluationReport& report) {
+  return ReportAsJsonValue(report).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string FormatEstimate(const Estimate& estimate) {
+  if (!estimate.ci95) return fmt::format("{:.2f}", estimate.mean);
+  return fmt::format("{:.2f} ± {:.2f}", estimate.mean, *estimate.ci95);
+}
+
+std::string FormatSetting(const EvaluationReport& report) {
+  return fmt::format(
+      "{}, {} robot{} at {:g} m/s, noise {:g}\n{}\n{} episode{}, seed {}; mean ± 95 % interval "
+      "over "
+      "episodes\n",
+      report.map, report.options.agents, report.options.agents == 1 ? "" : "s",
+      report.options.speed_mps, report.options.travel_noise, FormatProtocol(report),
+      report.options.episodes, report.options.episodes == 1 ? "" : "s", report.options.seed);
+}
+
+std::string FormatReport(const EvaluationReport& report) {
+  const EvaluationResult& result = report.result;
+  const bool policy = report.contestant.kind == ContestantKind::kPolicy;
+  std::string text = FormatSetting(report);
+  text += fmt::format("{} {}, {} decisions\n\n", policy ? "policy" : "strategy",
+                      report.contestant.name, result.decisions());
+  text += fmt::format("  average graph idleness  {:>20} s   lower bound {:.2f} s\n",
+                      FormatEstimate(MeanWithInterval(result.agi_s())), report.bounds.agi_s);
+  text += fmt::format("  worst idleness          {:>20} s   lower bound {:.2f} s\n",
+                      FormatEstimate(MeanWithInterval(result.wi_s())), report.bounds.wi_s);
+  text += fmt::format("  final idleness          {:>20} s\n",
+                      FormatEstimate(MeanWithInterval(result.final_s())));
+  if (report.ratio_to_random) {
+    text += fmt::format("  random walk's final idleness over this one's: {:.2f}\n",
+                        *report.ratio_to_random);
+  }
+  if (report.options.protocol == Protocol::kThesis) {
+    text += "  (the bounds hold for unlimited time; a short horizon may lie below them)\n";
+  }
+  return text;
+}
+
+}  // namespace ronda

@@ -1,0 +1,44 @@
+#pragma once
+// One evaluation with everything that names it: what a figure needs beside it to be compared.
+//
+// As text for people and as JSON for programs (keys: docs/evaluation.md). Pure functions.
+#include <optional>
+#include <string>
+
+#include "common/evaluation/protocol.h"
+#include "common/world/bounds.h"
+
+namespace ronda {
+
+enum class ContestantKind { kStrategy, kPolicy };
+
+/// Who is judged, as the user named it.
+struct Contestant {
+  ContestantKind kind = ContestantKind::kStrategy;
+  std::string name;
+};
+
+struct EvaluationReport {
+  std::string map;  // as the user named it
+  Contestant contestant;
+  EvaluationOptions options;
+  EvaluationResult result;
+  LowerBounds bounds;
+  /// Thesis protocol only: the random walk's mean final idleness over this one's.
+  std::optional<double> ratio_to_random;
+};
+
+/// One JSON object, indented, without a line end.
+std::string ReportAsJson(const EvaluationReport& report);
+
+/// A few lines: setting, then AGI, WI and final idleness with 95 % intervals and the bounds.
+std::string FormatReport(const EvaluationReport& report);
+
+/// The lines that every human-readable output opens with: map, team, noise, protocol with its
+/// window, episodes, seed.
+std::string FormatSetting(const EvaluationReport& report);
+
+/// `12.34 ± 0.56`, or without the interval where there is none.
+std::string FormatEstimate(const Estimate& estimate);
+
+}  // namespace ronda

@@ -1,0 +1,39 @@
+#pragma once
+// The events of an evaluation as CSV, from which anyone can recompute its figures.
+//
+// First line `# warmup_s=… window_s=… map=…`, then the header and one row an event:
+// `episode,time_s,robot,vertex,event`. Episodes and robots count from 0; vertices stand by their
+// ids in the map; time runs from the episode's start, warm-up included, with 9 decimals. Events:
+// `start` (time 0, counts as a visit; a robot that starts on an edge names the vertex behind it),
+// `visit`, and `end` (one an episode, at the end time, robot and vertex −1). Errors as OutputFile.
+// Thread-compatible.
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/evaluation/output_file.h"
+#include "common/world/patrol_world.h"
+
+namespace ronda {
+
+class TraceWriter {
+ public:
+  /// `map` as the user named it. `graph` must outlive the writer.
+  TraceWriter(const std::filesystem::path& path, const PatrolGraph& graph, std::string map);
+
+  /// Once, before the first episode.
+  void Begin(double warmup_s, double window_s);
+  void Starts(int episode, std::span<const RobotStart> starts);
+  void Visit(int episode, const Arrival& arrival);
+  void End(int episode, double time_s);
+  /// Everything is written: gives the file its name.
+  void Commit() { file_.Commit(); }
+
+ private:
+  OutputFile file_;
+  std::string map_;
+  std::vector<std::string> vertex_fields_;  // (V) ids, quoted where CSV wants it
+};
+
+}  // namespace ronda

@@ -1,0 +1,15 @@
+#pragma once
+// `ronda compare`: policies and strategies on one map, in one table.
+#include <stop_token>
+
+namespace CLI {
+class App;
+}
+
+namespace ronda {
+
+/// Adds the subcommand; it runs while the command line is parsed. Throws as its arguments, map and
+/// policies do; returns early, with nothing written, when `stop` is requested.
+void AddCompareCommand(CLI::App& app, std::stop_token stop);
+
+}  // namespace ronda

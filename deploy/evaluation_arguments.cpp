@@ -1,0 +1,88 @@
+#include "deploy/evaluation_arguments.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <utility>
+
+#include "common/base/error.h"
+#include "common/evaluation/policy_strategy.h"
+#include "common/run/paths.h"
+
+namespace ronda {
+namespace {
+
+PatrolGraph LoadWithWarnings(const EvaluationArguments& arguments) {
+  std::vector<std::string> warnings;
+  PatrolGraph graph =
+      LoadMap(arguments.map, MapsFolder(),
+              arguments.length == "file" ? EdgeLengthSource::kFile : EdgeLengthSource::kEuclidean,
+              &warnings);
+  for (const std::string& warning : warnings) fmt::print(stderr, "ronda: warning: {}\n", warning);
+  return graph;
+}
+
+}  // namespace
+
+void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
+  EvaluationOptions& options = arguments.options;
+  command
+      .add_option("--map", arguments.map, "a map file (.graph or .json), or a shipped map's name")
+      ->required();
+  command.add_option("--agents", options.agents, "number of robots, 1 … 10000")->required();
+  command.add_option("--protocol", arguments.protocol, "steady or thesis")
+      ->check(CLI::IsMember({"steady", "thesis"}))
+      ->capture_default_str();
+  command.add_option("--horizon", arguments.horizon_s,
+                     "thesis protocol: seconds from zero idleness to the end (default 600)");
+  command.add_option("--episodes", options.episodes, "how many episodes")->capture_default_str();
+  command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
+      ->capture_default_str();
+  command.add_option("--speed", options.speed_mps, "of every robot, m/s")->capture_default_str();
+  command
+      .add_option("--noise", options.travel_noise,
+                  "σ of travel times: each takes length/speed · exp(σZ − σ²/2)")
+      ->capture_default_str();
+  command
+      .add_option("--length", arguments.length,
+                  "edge lengths: euclidean, or file (the cost column of a .graph file)")
+      ->check(CLI::IsMember({"euclidean", "file"}))
+      ->capture_default_str();
+  command.add_option("--json", arguments.json_path, "write the result to this file");
+}
+
+EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {
+  EvaluationOptions options = arguments.options;
+  if (arguments.protocol == "thesis") options.protocol = Protocol::kThesis;
+  if (arguments.horizon_s && options.protocol != Protocol::kThesis) {
+    throw UsageError("--horizon needs --protocol thesis: the steady window follows from the map");
+  }
+  options.horizon_s = arguments.horizon_s.value_or(options.horizon_s);
+  CheckOptions(options);
+  return options;
+}
+
+EvaluationMap::EvaluationMap(const EvaluationArguments& arguments)
+    : graph_(LoadWithWarnings(arguments)), paths_(graph_), walk_(ClosedWalkOf(graph_, paths_)) {}
+
+std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,
+                                         const StrategyContext& context) {
+  return contestant.kind == ContestantKind::kPolicy ? MakePolicyStrategy(contestant.name, context)
+                                                    : MakeStrategy(contestant.name, context);
+}
+
+std::optional<EvaluationResult> EvaluateContestant(const Contestant& contestant,
+                                                   const StrategyContext& context,
+                                                   const EvaluationOptions& options,
+                                                   TraceWriter* trace, std::stop_token stop) {
+  return Evaluate(
+      context, [&] { return MakeContestant(contestant, context); }, options, trace,
+      std::move(stop));
+}
+
+double RatioToRandom(const EvaluationResult& random, const EvaluationResult& result) {
+  return MeanWithInterval(random.final_s()).mean / MeanWithInterval(result.final_s()).mean;
+}
+
+}  // namespace ronda

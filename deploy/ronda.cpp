@@ -1,0 +1,37 @@
+// `ronda`: the front command. Each subcommand adds itself; errors become one line and an exit
+// status (common/base/error.h).
+#include <CLI/CLI.hpp>
+
+#include "common/base/error.h"
+#include "common/run/process.h"
+#include "deploy/compare_command.h"
+#include "deploy/evaluate_command.h"
+
+namespace {
+
+int Body(int argc, char** argv, std::stop_token stop) {
+  CLI::App app("Ronda: multi-robot patrolling on graphs, learned by a cluster over Fast DDS.",
+               "ronda");
+  app.set_version_flag("--version", "ronda " RONDA_VERSION);
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+  app.footer(
+      "Examples:\n"
+      "  ronda evaluate --map cumberland --agents 10 --strategy sebs\n"
+      "  ronda compare --map cumberland --agents 10 --strategies all\n"
+      "Each command explains itself: ronda COMMAND --help");
+  ronda::AddEvaluateCommand(app, stop);
+  ronda::AddCompareCommand(app, stop);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ronda::ExitCode::kUsage);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return ronda::RunProcess("ronda", [&](std::stop_token stop) { return Body(argc, argv, stop); });
+}
