@@ -17,7 +17,7 @@ PatrolGraph LoadWithWarnings(const EvaluationArguments& arguments) {
   std::vector<std::string> warnings;
   PatrolGraph graph =
       LoadMap(arguments.map, MapsFolder(),
-              arguments.length == "file" ? EdgeLengthSource::kFile : EdgeLengthSource::kEuclidean,
+              ParseEdgeLengthSource(arguments.length),
               &warnings);
   for (const std::string& warning : warnings) fmt::print(stderr, "ronda: warning: {}\n", warning);
   return graph;
