@@ -46,7 +46,8 @@ int Body(int argc, char** argv, std::stop_token stop) {
   Config file = Config::FromFile(options.config_file);
   const RunConfig run = ReadRunConfig(file);
   ActorConfig config = ReadActorConfig(file, run);
-  const PatrolGraph graph = LoadMap(run.map, MapsFolder(), ParseEdgeLengthSource(run.length), nullptr);
+  const PatrolGraph graph =
+      LoadMap(run.map, MapsFolder(), ParseEdgeLengthSource(run.length), nullptr);
   const ShortestPaths paths(graph);
   config.environment.closed_walk_m = ClosedWalkOf(graph, paths).length_m;
   PatrolEnvironment environment(graph, paths, config.environment);
@@ -87,7 +88,9 @@ int Body(int argc, char** argv, std::stop_token stop) {
   }
   const bool confirmed = sink.Drain(milliseconds(800));
   reports.Send(Report(options, actor, sink, false));
-  if (!confirmed) LogWarning("stopped before everything was confirmed: {} of {} sent", sink.confirmed(), sink.sent());
+  if (!confirmed)
+    LogWarning("stopped before everything was confirmed: {} of {} sent", sink.confirmed(),
+               sink.sent());
   LogInfo("stopped after {} decisions, {} transitions sent", actor.decisions(), sink.sent());
   return 0;
 }

@@ -20,7 +20,8 @@ std::string Seconds(const std::optional<double>& seconds) {
 
 std::string Describe(const ProgressFigures& figures) {
   std::string line = fmt::format(
-      "{:3.0f} %  {:.0f} decisions/s  {:.0f} updates/s  replay {}/{}  lag {:.0f} versions  AGI {} (best classical {})",
+      "{:3.0f} %  {:.0f} decisions/s  {:.0f} updates/s  replay {}/{}  lag {:.0f} versions  AGI {} "
+      "(best classical {})",
       100.0 * std::min(1.0, figures.progress), figures.decisions_per_s, figures.updates_per_s,
       figures.replay_size, figures.replay_capacity, figures.policy_lag_versions,
       Seconds(figures.agi_s), Seconds(figures.best_classical_s));

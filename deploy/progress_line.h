@@ -1,5 +1,6 @@
 #pragma once
-// How a run goes, in one line: rewritten in place on a terminal, a plain line every few seconds elsewhere.
+// How a run goes, in one line: rewritten in place on a terminal, a plain line every few seconds
+// elsewhere.
 //
 // Events (a child died) go above the line. Thread-compatible.
 #include <chrono>
@@ -16,10 +17,10 @@ struct ProgressFigures {
   std::uint64_t replay_size = 0;
   std::uint64_t replay_capacity = 0;
   double policy_lag_versions = 0.0;
-  std::optional<double> agi_s;            // newest evaluation
+  std::optional<double> agi_s;  // newest evaluation
   std::optional<double> best_classical_s;
-  std::optional<double> left_s;           // of the budget
-  std::string waiting;                    // who waits for what; empty: nobody
+  std::optional<double> left_s;  // of the budget
+  std::string waiting;           // who waits for what; empty: nobody
 };
 
 class ProgressLine {

@@ -9,14 +9,10 @@
 #include "common/run/whole_file.h"
 
 namespace ronda {
-namespace {
 
 using Json = nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BestPolicy, agi_s, second_half)
-
-}  // namespace
-
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunTotals, decisions, sent, stored, in_flight, lost, doubled,
                                    forgotten, messages_refused, weights_version)
 
@@ -41,8 +37,10 @@ RunState ReadRunState(const std::filesystem::path& run_folder) {
 }
 
 void WriteRunState(const std::filesystem::path& run_folder, const RunState& state) {
-  Json json{{"totals", state.totals},   {"training_s", state.training_s},
-            {"wall_s", state.wall_s},   {"updates", state.updates},
+  Json json{{"totals", state.totals},
+            {"training_s", state.training_s},
+            {"wall_s", state.wall_s},
+            {"updates", state.updates},
             {"restarts", state.restarts}};
   if (state.best) json["best"] = *state.best;
   WriteWholeFile(run_folder / "state.json", json.dump(1) + "\n");

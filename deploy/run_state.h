@@ -1,8 +1,10 @@
 #pragma once
-// What a run folder remembers between its sessions: totals, training time, and its best policy so far.
+// What a run folder remembers between its sessions: totals, training time, and its best policy so
+// far.
 //
-// Kept in `state.json`, replaced as a whole every few seconds, so that a launcher that is killed loses a few seconds of
-// counting at most. A file that is not ours is CheckpointError with the reason.
+// Kept in `state.json`, replaced as a whole every few seconds, so that a launcher that is killed
+// loses a few seconds of counting at most. A file that is not ours is CheckpointError with the
+// reason.
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -14,8 +16,9 @@
 namespace ronda {
 
 struct BestPolicy {
-  double agi_s = 0.0;        // on the evaluation seeds
-  bool second_half = false;  // found in the second half of the budget: preferred to any of the first
+  double agi_s = 0.0;  // on the evaluation seeds
+  bool second_half =
+      false;  // found in the second half of the budget: preferred to any of the first
 };
 
 struct RunState {

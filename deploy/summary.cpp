@@ -58,7 +58,8 @@ std::string FormatSummary(const RunSummary& summary, const RunConfig& run,
       "\n{}: {} robots on {}, {} of training, {} decisions, {} updates\n", run_folder, run.agents,
       run.map, FormatDuration(state.training_s), totals.decisions, state.updates);
   text += fmt::format(
-      "transitions: {} sent = {} stored + {} lost + {} in flight; {} doubled, {} forgotten; {} messages refused\n",
+      "transitions: {} sent = {} stored + {} lost + {} in flight; {} doubled, {} forgotten; {} "
+      "messages refused\n",
       totals.sent, totals.stored, totals.lost, totals.in_flight, totals.doubled, totals.forgotten,
       totals.messages_refused);
   text += fmt::format("restarts: actor {}, replay {}, learner {}\n", state.restarts.at("actor"),

@@ -1,5 +1,6 @@
 #pragma once
-// The end of a session in figures: printed, and written to summary.json for programs (keys: README, "Scripting").
+// The end of a session in figures: printed, and written to summary.json for programs (keys: README,
+// "Scripting").
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,11 +15,13 @@ namespace ronda {
 /// Totals of the run folder over all its sessions.
 struct RunSummary {
   RunState state;
-  std::optional<Estimate> agi_s;  // of the best policy; nullopt where there is none, or no time to judge it
+  std::optional<Estimate>
+      agi_s;  // of the best policy; nullopt where there is none, or no time to judge it
   std::optional<Yardstick> yardstick;
 };
 
 std::string SummaryAsJson(const RunSummary& summary, const RunConfig& run);
-std::string FormatSummary(const RunSummary& summary, const RunConfig& run, const std::string& run_folder);
+std::string FormatSummary(const RunSummary& summary, const RunConfig& run,
+                          const std::string& run_folder);
 
 }  // namespace ronda

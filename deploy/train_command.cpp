@@ -16,17 +16,20 @@ namespace ronda {
 namespace {
 
 int Train(const TrainArguments& arguments, std::stop_token stop) {
-  const auto path = arguments.run_folder
-                        ? std::filesystem::path(*arguments.run_folder)
-                        : RunFolder::DefaultPath(arguments.map.value_or("cumberland"), std::time(nullptr));
+  const auto path =
+      arguments.run_folder
+          ? std::filesystem::path(*arguments.run_folder)
+          : RunFolder::DefaultPath(arguments.map.value_or("cumberland"), std::time(nullptr));
   std::optional<std::filesystem::path> stored;
   if (std::filesystem::exists(path / "config.toml")) stored = path / "config.toml";
-  const TrainSetup setup(arguments, stored);  // before the folder is made: bad input leaves no trace
+  const TrainSetup setup(arguments,
+                         stored);  // before the folder is made: bad input leaves no trace
   const RunFolder folder(path);
   const RunState state = ReadRunState(path);
   if (Progress(setup.run(), state.training_s, state.totals.decisions) >= 1.0) {
     fmt::print(
-        "{}: this run has its {} of training and {} decisions already; a larger --for or --decisions goes on.\n",
+        "{}: this run has its {} of training and {} decisions already; a larger --for or "
+        "--decisions goes on.\n",
         path.string(), FormatDuration(state.training_s), state.totals.decisions);
     return 0;
   }

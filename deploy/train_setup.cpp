@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <thread>
 
 #include "common/base/error.h"
 #include "common/run/duration.h"
@@ -67,9 +69,8 @@ void CheckSameRun(const RunConfig& stored, const RunConfig& asked,
 TrainSetup::TrainSetup(const TrainArguments& arguments,
                        const std::optional<std::filesystem::path>& stored) {
   if (stored && arguments.config_file) {
-    throw UsageError(
-        fmt::format("--config: the run folder has its own {}; change keys with --set",
-                    stored->string()));
+    throw UsageError(fmt::format("--config: the run folder has its own {}; change keys with --set",
+                                 stored->string()));
   }
   if (stored) config_ = Config::FromFile(*stored);
   if (arguments.config_file) config_ = Config::FromFile(*arguments.config_file);
@@ -78,8 +79,7 @@ TrainSetup::TrainSetup(const TrainArguments& arguments,
   run_ = ReadRunConfig(config_);
   actor_ = ReadActorConfig(config_, run_);
   std::vector<std::string> warnings;
-  graph_.emplace(
-      LoadMap(run_.map, MapsFolder(), ParseEdgeLengthSource(run_.length), &warnings));
+  graph_.emplace(LoadMap(run_.map, MapsFolder(), ParseEdgeLengthSource(run_.length), &warnings));
   for (const auto& warning : warnings) fmt::print(stderr, "ronda: warning: {}\n", warning);
   paths_.emplace(*graph_);
   walk_ = ClosedWalkOf(*graph_, *paths_);
@@ -95,8 +95,9 @@ TrainSetup::TrainSetup(const TrainArguments& arguments,
   run_ = ReadRunConfig(config_);
   ReadLearnerConfig(config_, run_);
   ReadReplayConfig(config_, run_);
-  evaluation_episodes_ = static_cast<int>(config_.GetInt(
-      "evaluation.episodes", 10, 1, 1000, "of each evaluation during training, on seeds of its own"));
+  evaluation_episodes_ =
+      static_cast<int>(config_.GetInt("evaluation.episodes", 10, 1, 1000,
+                                      "of each evaluation during training, on seeds of its own"));
   evaluation_step_ = config_.GetDouble("evaluation.step", 1.0 / 30.0, 1e-4, 1.0,
                                        "share of the budget between two evaluations");
   config_.RejectUnknown();

@@ -1,8 +1,9 @@
 #pragma once
 // From a command line and a run folder to the configuration that all processes of the run read.
 //
-// What a folder was begun with stays: another map, team or network is refused (InputError), a larger budget, another number of actors or
-// other rates are taken. Errors name option or file, key, rule and value.
+// What a folder was begun with stays: another map, team or network is refused (InputError), a
+// larger budget, another number of actors or other rates are taken. Errors name option or file,
+// key, rule and value.
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -31,7 +32,8 @@ struct TrainArguments {
   std::vector<std::string> settings;  // KEY=VALUE
 };
 
-/// Everything about a run that follows from its configuration. Not movable: `context` points into it.
+/// Everything about a run that follows from its configuration. Not movable: `context` points into
+/// it.
 class TrainSetup {
  public:
   /// `stored` is the folder's config.toml, where it has one.

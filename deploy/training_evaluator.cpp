@@ -37,7 +37,7 @@ struct TrainingEvaluator::State {
 
   mutable std::mutex mutex;
   std::condition_variable_any changed;
-  double progress = 0.0;                      // guarded by mutex, as all below
+  double progress = 0.0;  // guarded by mutex, as all below
   bool finish = false;
   std::vector<PolicyEvaluation> evaluations;  // not taken yet
   std::optional<Yardstick> yardstick;
@@ -89,7 +89,8 @@ void TrainingEvaluator::State::Run(std::stop_token stop) {
 
 void TrainingEvaluator::State::FindYardstick(std::stop_token stop) {
   Yardstick found;
-  found.bounds = ComputeLowerBounds(*context.graph, config.agents * config.speed_mps, config.agents);
+  found.bounds =
+      ComputeLowerBounds(*context.graph, config.agents * config.speed_mps, config.agents);
   for (const std::string& name : AllStrategyNames()) {
     const auto result = Evaluate(
         context, [&] { return MakeStrategy(name, context); },

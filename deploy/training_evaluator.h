@@ -1,13 +1,16 @@
 #pragma once
-// Judges the policy while it trains, on a niced thread of its own: keeps the best, and the classical yardstick.
+// Judges the policy while it trains, on a niced thread of its own: keeps the best, and the
+// classical yardstick.
 //
-// First all classical strategies (steady protocol, 20 episodes, seed 1) and the lower bounds; then, whenever progress
-// has moved by `step`, the newest weights on evaluation seeds that nobody reports, and the best goes to checkpoints/best.ronda. Policies
-// of the second half of the budget are preferred to those of the first, whose weights are still in motion. Thread-safe.
+// First all classical strategies (steady protocol, 20 episodes, seed 1) and the lower bounds; then,
+// whenever progress has moved by `step`, the newest weights on evaluation seeds that nobody
+// reports, and the best goes to checkpoints/best.ronda. Policies of the second half of the budget
+// are preferred to those of the first, whose weights are still in motion. Thread-safe.
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 

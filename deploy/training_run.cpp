@@ -33,7 +33,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kStopGrace{1300};  // twice, and some judging: all within 3 s
+constexpr milliseconds kStopGrace{1300};              // twice, and some judging: all within 3 s
 constexpr std::uint64_t kEvaluationSeed = 1'000'003;  // far from the seeds that are reported
 
 std::uint64_t MicrosecondsSinceEpoch() {
@@ -137,7 +137,9 @@ void Session::TakeReport(const ProcessReport& report) {
     }
     return 0.0;
   };
-  const auto count = [&](std::string_view name) { return static_cast<std::uint64_t>(metric(name)); };
+  const auto count = [&](std::string_view name) {
+    return static_cast<std::uint64_t>(metric(name));
+  };
   if (report.role == "actor") {
     ledger_.OnActorReport(report.index, report.incarnation, count("sent"), count("decisions"));
   } else if (report.role == "learner") {
@@ -193,7 +195,8 @@ void Session::Show(Clock::time_point now) {
   const double elapsed_s = Seconds(now - shown_);
   if (elapsed_s >= 1.0) {
     decisions_per_s_ = static_cast<double>(state_.totals.decisions - shown_decisions_) / elapsed_s;
-    updates_per_s_ = static_cast<double>(state_.updates - std::min(shown_updates_, state_.updates)) / elapsed_s;
+    updates_per_s_ =
+        static_cast<double>(state_.updates - std::min(shown_updates_, state_.updates)) / elapsed_s;
     shown_ = now;
     shown_decisions_ = state_.totals.decisions;
     shown_updates_ = state_.updates;
@@ -207,7 +210,8 @@ void Session::Show(Clock::time_point now) {
   figures.replay_capacity = status_.capacity;
   figures.policy_lag_versions = policy_lag_versions_;
   figures.agi_s = agi_s_;
-  if (const auto yardstick = evaluator_.yardstick()) figures.best_classical_s = yardstick->agi_s.mean;
+  if (const auto yardstick = evaluator_.yardstick())
+    figures.best_classical_s = yardstick->agi_s.mean;
   if (figures.progress > 0.0) {
     // The larger share ends the run; it has grown evenly since the folder's beginning.
     figures.left_s = std::max(0.0, state_.training_s * (1.0 / figures.progress - 1.0));
@@ -252,9 +256,10 @@ int Session::Run(std::stop_token stop) {
                    .actors = static_cast<std::uint32_t>(setup_.run().actors),
                    .first_incarnation = MicrosecondsSinceEpoch()},
                   [this] { return state_.totals.weights_version; });
-  line_.Event(fmt::format("run {} (DDS domain {}): replay, learner and {} actor{} started; logs in {}",
-                          folder_.path().string(), domain_.domain(), setup_.run().actors,
-                          setup_.run().actors == 1 ? "" : "s", folder_.logs().string()));
+  line_.Event(
+      fmt::format("run {} (DDS domain {}): replay, learner and {} actor{} started; logs in {}",
+                  folder_.path().string(), domain_.domain(), setup_.run().actors,
+                  setup_.run().actors == 1 ? "" : "s", folder_.logs().string()));
   Every control_due(milliseconds(100));
   Every show_due(milliseconds(500));
   Every log_due(milliseconds(1000));
@@ -308,8 +313,8 @@ void Session::Summarise(std::stop_token, bool hurry) {
   for (const char* name : {"best.ronda", "latest.ronda"}) {
     const auto file = folder_.checkpoints() / name;
     if (!std::filesystem::exists(file)) continue;
-    summary.agi_s = ReportedAgi(ReadPolicyFile(file), evaluator_config_, setup_.context(),
-                                late.get_token());
+    summary.agi_s =
+        ReportedAgi(ReadPolicyFile(file), evaluator_config_, setup_.context(), late.get_token());
     break;
   }
   WriteWholeFile(folder_.summary_file(), SummaryAsJson(summary, setup_.run()));
@@ -320,9 +325,10 @@ void Session::Summarise(std::stop_token, bool hurry) {
 
 double Progress(const RunConfig& run, double training_s, std::uint64_t decisions) {
   const double by_time = run.budget_s > 0.0 ? training_s / run.budget_s : 0.0;
-  const double by_decisions = run.budget_decisions > 0 ? static_cast<double>(decisions) /
-                                                             static_cast<double>(run.budget_decisions)
-                                                       : 0.0;
+  const double by_decisions =
+      run.budget_decisions > 0
+          ? static_cast<double>(decisions) / static_cast<double>(run.budget_decisions)
+          : 0.0;
   return std::max(by_time, by_decisions);
 }
 

@@ -1,7 +1,9 @@
 #pragma once
-// One session of a run: starts the cluster, looks after it until the budget is used or a signal comes, and sums up.
+// One session of a run: starts the cluster, looks after it until the budget is used or a signal
+// comes, and sums up.
 //
-// Returns the exit status. Errors: Error as the parts throw. Use it on the main thread (children follow it).
+// Returns the exit status. Errors: Error as the parts throw. Use it on the main thread (children
+// follow it).
 #include <stop_token>
 
 #include "common/run/run_folder.h"

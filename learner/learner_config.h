@@ -12,7 +12,7 @@ struct LearnerConfig {
   DqnConfig dqn;
   std::chrono::milliseconds publish_every{100};
   std::chrono::milliseconds checkpoint_every{5000};
-  int outstanding = 8;  // mini-batches asked for ahead
+  int outstanding = 8;           // mini-batches asked for ahead
   bool send_priorities = false;  // where the replay samples by them
 };
 

@@ -1,4 +1,5 @@
-// ronda-learner: takes mini-batches from the replay, improves the policy, and publishes its weights.
+// ronda-learner: takes mini-batches from the replay, improves the policy, and publishes its
+// weights.
 #include <fmt/format.h>
 #include <unistd.h>
 

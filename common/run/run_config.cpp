@@ -29,8 +29,7 @@ RunConfig ReadRunConfig(Config& config) {
   run.schema = config.GetString("interface.schema", "", {}, "name of the observation");
   run.hidden_sizes =
       config.GetIntList("network.hidden", {64, 64}, 1, 4096, "widths of the hidden layers");
-  run.layer_norm =
-      config.GetBool("network.layer_norm", false, "LayerNorm before each activation");
+  run.layer_norm = config.GetBool("network.layer_norm", false, "LayerNorm before each activation");
   run.prioritised = config.GetString("replay.sampler", "uniform", {"uniform", "prioritised"},
                                      "how mini-batches are drawn") == "prioritised";
   run.batch_size = static_cast<std::uint32_t>(

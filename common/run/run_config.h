@@ -1,7 +1,6 @@
 #pragma once
-// The part of the configuration that every process of a run reads: [run], [interface], [network], [dds]
-// and what replay and
-// learner agree on.
+// The part of the configuration that every process of a run reads: [run], [interface], [network],
+// [dds] and what replay and learner agree on.
 //
 // [interface] holds what follows from the map and the observation; the launcher works it out and
 // writes it down, so replay and learner need to know no environment. Errors: InputError as
