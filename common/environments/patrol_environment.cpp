@@ -1,0 +1,152 @@
+#include "common/environments/patrol_environment.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "common/base/check.h"
+#include "common/base/error.h"
+
+namespace ronda {
+namespace {
+
+constexpr double kForever = std::numeric_limits<double>::infinity();
+constexpr double kHorizonsToSettle = 5.0;  // after 5 T_d a next visit changes a reward by < 0.7 %
+
+void Require(bool holds, const char* name, const char* rule, double value) {
+  if (!holds || !std::isfinite(value)) {
+    throw InputError(fmt::format("environment.{}: must be {}, got {}", name, rule, value));
+  }
+}
+
+const PatrolEnvironmentOptions& Checked(const PatrolEnvironmentOptions& options) {
+  Require(options.agents >= 1, "agents", "≥ 1", options.agents);
+  Require(options.speed_mps > 0.0, "speed_mps", "> 0", options.speed_mps);
+  Require(options.travel_noise >= 0.0, "travel_noise", "≥ 0", options.travel_noise);
+  Require(options.closed_walk_m > 0.0, "closed_walk_m", "> 0", options.closed_walk_m);
+  Require(options.horizon > 0.0, "horizon", "> 0", options.horizon);
+  Require(options.episode_length > 0.0, "episode_length", "> 0", options.episode_length);
+  Require(options.initial_idleness >= 0.0, "initial_idleness", "≥ 0", options.initial_idleness);
+  return options;
+}
+
+WorldOptions TeamOf(const PatrolEnvironmentOptions& options) {
+  return {.speeds_mps =
+              std::vector<double>(static_cast<std::size_t>(options.agents), options.speed_mps),
+          .travel_noise = options.travel_noise};
+}
+
+}  // namespace
+
+PatrolEnvironment::PatrolEnvironment(const PatrolGraph& graph, const ShortestPaths& paths,
+                                     const PatrolEnvironmentOptions& options)
+    : options_(Checked(options)),
+      world_(graph, TeamOf(options)),
+      encoder_(graph, paths, options.observation),
+      spec_{.observation_size = encoder_.observation_size(),
+            .num_actions = encoder_.num_actions(),
+            .num_agents = options.agents},
+      agents_(static_cast<std::size_t>(options.agents)),
+      pending_(static_cast<std::size_t>(graph.vertex_count())),
+      observation_(static_cast<std::size_t>(spec_.observation_size)),
+      legal_(static_cast<std::size_t>(spec_.num_actions)) {
+  if (graph.edge_count() == 0) {
+    throw InputError(fmt::format("map {}: patrolling needs at least 1 edge, got 0", graph.name()));
+  }
+  scale_.reference_s = options.closed_walk_m / world_.total_speed_mps();
+  scale_.horizon_s = options.horizon * scale_.reference_s;
+  settle_within_s_ = kHorizonsToSettle * scale_.horizon_s;
+  episode_s_ = options.episode_length * scale_.reference_s;
+  settled_.reserve(2 * pending_.size() + 1);
+}
+
+void PatrolEnvironment::Reset(const Rng& rng) {
+  Rng draws = rng;
+  const PatrolGraph& graph = world_.graph();
+  const auto starts = PatrolWorld::RandomStarts(graph, options_.agents, draws);
+  std::vector<double> last_visits_s(pending_.size(), 0.0);
+  if (options_.initial_idleness > 0.0) {
+    const double largest_s = options_.initial_idleness * scale_.reference_s;
+    for (double& last_s : last_visits_s) last_s = -largest_s * draws.Uniform();
+  }
+  world_.Reset(starts, draws);
+  for (int v = 0; v < graph.vertex_count(); ++v) world_.SetLastVisit(v, last_visits_s[v]);
+
+  agents_.assign(agents_.size(), Agent{});
+  pending_.assign(pending_.size(), Pending{});
+  settled_.clear();
+  state_ = EpisodeState::kRunning;
+  const auto arrival = world_.NextArrival(kForever);
+  MakeDecision(*arrival);
+}
+
+StepOutcome PatrolEnvironment::Step(int action) {
+  RONDA_CHECK(state_ == EpisodeState::kRunning, "a step after the end of the episode");
+  RONDA_CHECK(action >= 0 && action < spec_.num_actions && legal_[action] == 1,
+              "action {} of {} is not legal for robot {} at vertex {}", action, spec_.num_actions,
+              decision_.agent, world_.target(decision_.agent));
+  settled_.clear();
+  const int robot = decision_.agent;
+  world_.Depart(robot, encoder_.NextVertex(world_.target(robot), action));
+
+  const auto arrival = world_.NextArrival(kForever);
+  SettleLate(arrival->time_s);
+  SettleArrival(*arrival);
+  MakeDecision(*arrival);
+  if (arrival->time_s >= episode_s_) {
+    state_ = EpisodeState::kCut;
+    SettleLate(kForever);
+  }
+  return {.state = state_, .settled = settled_};
+}
+
+void PatrolEnvironment::SettleArrival(const Arrival& arrival) {
+  if (pending_[arrival.vertex].agent >= 0) {
+    SettlePending(arrival.vertex, arrival.time_s - pending_[arrival.vertex].since_s);
+  }
+  const Agent& agent = agents_[arrival.robot];
+  if (agent.count == 0) return;  // its start: no decision led here
+  const Visit visit{.travel_s = arrival.time_s - agent.made_s, .idleness_s = arrival.idleness_s};
+  if (options_.reward == RewardScheme::kIdleness) {
+    settled_.push_back({.agent = arrival.robot,
+                        .index = agent.count - 1,
+                        .reward = IdlenessReward(visit, scale_)});
+    return;
+  }
+  pending_[arrival.vertex] = {
+      .agent = arrival.robot, .index = agent.count - 1, .since_s = arrival.time_s, .visit = visit};
+}
+
+/// Settles the visits that waited too long at `now_s`: nobody came.
+void PatrolEnvironment::SettleLate(double now_s) {
+  for (std::size_t vertex = 0; vertex < pending_.size(); ++vertex) {
+    if (pending_[vertex].agent >= 0 && now_s - pending_[vertex].since_s > settle_within_s_) {
+      SettlePending(static_cast<int>(vertex), kForever);
+    }
+  }
+}
+
+void PatrolEnvironment::SettlePending(int vertex, double next_visit_after_s) {
+  Pending& pending = pending_[vertex];
+  settled_.push_back({.agent = pending.agent,
+                      .index = pending.index,
+                      .reward = HindsightReward(pending.visit, next_visit_after_s, scale_)});
+  pending.agent = -1;
+}
+
+void PatrolEnvironment::MakeDecision(const Arrival& arrival) {
+  Agent& agent = agents_[arrival.robot];
+  encoder_.Encode(world_, arrival.robot, observation_, legal_);
+  decision_ = {.agent = arrival.robot,
+               .index = agent.count,
+               .observation = observation_,
+               .legal_actions = legal_,
+               .discount = agent.count == 0
+                               ? 1.0f
+                               : Discount(arrival.time_s - agent.made_s, scale_.horizon_s)};
+  ++agent.count;
+  agent.made_s = arrival.time_s;
+}
+
+}  // namespace ronda
