@@ -1,15 +1,20 @@
 #pragma once
-// An actor: acts in its environment with the newest weights that it has, and sends what comes of
-// it.
+// The duty cycle of an actor: decide, step the environment, hand transitions on, take new weights.
 //
-// `Step` makes one decision and returns 1, or 0 where the sink throttles: completed transitions
-// wait in an outbox, and the environment stands still until it is empty. Weights are loaded between
-// two decisions. Until the first have come the actor acts at random. Never blocks.
-// Thread-compatible.
+// One Step is one decision. Weights load between two decisions only, so a decision has one version.
+// While the sink throttles, what is complete waits in an outbox and no decision is made, so the
+// outbox holds no more than one step completes and nothing is lost or pushed twice. Acts ε-greedily
+// over the legal actions; at random before any weights have come. Episode e of actor i draws from a
+// stream that follows from (seed, i, e) alone. Environment, policy and ports must outlive it.
+// Thread-compatible, except that set_progress and counters may be called from any thread.
+// InputError for options out of range. Source: thesis §2.2, §2.4; Horgan et al. 2018.
+#include <atomic>
 #include <cstdint>
+#include <stop_token>
 
 #include "actor/exploration.h"
 #include "actor/n_step_adder.h"
+#include "common/base/rng.h"
 #include "common/rl/environment.h"
 #include "common/rl/policy.h"
 #include "common/rl/ports.h"
@@ -18,11 +23,20 @@ namespace ronda {
 
 struct ActorOptions {
   std::uint64_t seed = 1;
-  std::uint32_t index = 0;
-  std::uint32_t actors = 1;
-  std::uint64_t incarnation = 0;  // a restarted actor does not repeat its predecessor's episodes
-  int n_steps = 1;
-  ExplorationConfig exploration;
+  int index = 0;   // of this actor, 0 … actors − 1
+  int actors = 1;  // of the run
+  int n_step = 1;
+  ExplorationOptions exploration;
+};
+
+struct ActorCounters {
+  std::uint64_t decisions = 0;
+  std::uint64_t episodes = 0;         // ended
+  std::uint64_t transitions = 0;      // accepted by the sink
+  std::uint64_t dropped = 0;          // decisions that an episode's end left without a transition
+  std::uint64_t throttled = 0;        // steps that could make no decision
+  std::uint64_t weights_version = 0;  // of the policy's weights; 0: none yet
+  std::uint64_t weights_refused = 0;  // snapshots of another architecture, or not finite
 };
 
 class Actor {
@@ -30,33 +44,38 @@ class Actor {
   Actor(Environment& environment, Policy& policy, TransitionSink& sink, WeightSource& weights,
         const ActorOptions& options);
 
+  /// Makes one decision. Returns the decisions made: 0 where throttled or closed.
   int Step();
-  void set_progress(double progress) { progress_ = progress; }
+  /// Steps until stopped or closed; waits for credit while throttled.
+  void Run(const std::stop_token& stop);
 
-  std::uint64_t decisions() const { return decisions_; }
-  std::uint64_t episodes() const { return episodes_; }
-  std::uint64_t weights_version() const { return weights_version_; }
-  std::uint64_t weights_refused() const { return weights_refused_; }
+  void set_progress(double progress) { progress_.store(progress, std::memory_order_relaxed); }
   double epsilon() const;
+  bool closed() const { return closed_; }  // the sink takes no more
+  ActorCounters counters() const;
 
  private:
+  using Counter = std::atomic<std::uint64_t>;
+
   bool EmptyOutbox();
   void LoadNewestWeights();
-  int ChooseAction(const Decision& decision);
   void BeginEpisode();
+  int Choose(const Decision& decision);
 
   Environment& environment_;
   Policy& policy_;
   TransitionSink& sink_;
   WeightSource& weights_;
   ActorOptions options_;
-  Rng rng_;
   NStepAdder adder_;
-  double progress_ = 0.0;
-  std::uint64_t decisions_ = 0;
-  std::uint64_t episodes_ = 0;
-  std::uint64_t weights_version_ = 0;  // 0: none yet
-  std::uint64_t weights_refused_ = 0;
+  std::uint64_t episode_seed_;
+  Rng exploration_rng_;
+  bool in_episode_ = false;
+  bool has_weights_ = false;
+  bool closed_ = false;
+  std::atomic<double> progress_{0.0};
+  Counter decisions_{0}, episodes_{0}, transitions_{0}, dropped_{0}, throttled_{0};
+  Counter weights_version_{0}, weights_refused_{0};
 };
 
 }  // namespace ronda

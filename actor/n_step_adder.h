@@ -1,18 +1,21 @@
 #pragma once
-// Joins what belongs together: a decision, its reward (which may be known later than the next
-// observation) and the observation n decisions on, for each agent by itself.
+// Joins what an agent saw, chose and got into transitions over n steps.
 //
-//   R = Σ_{j<n} (Π_{l<j} γ_l) r_j,   discount = Π_{l<n} γ_l,   next observation: the agent's n-th
-//   decision after
+// A transition of decision k says: observation k, action k, R = Σ_{j<n} (Π_{i<j} γ_i) r_{k+j}, the
+// discount Π_{j<n} γ_j and observation k + n, where γ_j belongs to the step from decision k + j to
+// the next. A reward may be settled later than the next observation (or than the next decision is
+// settled): the transition waits for it. Each agent's transitions come out in the order of its
+// decisions; agents interleave in the order in which they become complete.
 //
-// An agent's transitions come out in the order of its decisions. At a terminal state what is left
-// ends with discount 0; at a cut it bootstraps from the agent's latest observation, and a decision
-// that has none after it is dropped. Holds for each agent what is not settled yet: bounded by the
-// environment's latest settlement. Thread-compatible. Source: Sutton & Barto 2018 §7.1; semi-MDP
-// discounts multiply (Sutton, Precup & Singh 1999).
+// Call Observe, then Choose, for each decision; Settle for each reward; Finish at the end of an
+// episode. At a terminal state the steps that are left are joined to the end with discount 0. At a
+// cut they bootstrap from the agent's last observation over as many steps as are settled; a
+// decision with no reward or no observation after it is dropped. What is kept is bounded by what an
+// episode leaves unsettled. Misuse (an action without an observation, a reward settled twice) is a
+// bug. Thread-compatible. Source: Sutton, Precup & Singh 1999 (semi-MDP); Xiao, Hoffman & Amato
+// 2019 (per-agent transitions of macro-actions).
 #include <cstdint>
 #include <deque>
-#include <span>
 #include <vector>
 
 #include "common/rl/environment.h"
@@ -22,42 +25,47 @@ namespace ronda {
 
 class NStepAdder {
  public:
-  NStepAdder(const EnvironmentSpec& spec, int n_steps);
+  /// n ≥ 1, else InputError.
+  NStepAdder(const EnvironmentSpec& spec, int n);
 
-  /// The agent has decided; its decision before gets this observation as its next.
-  void Decide(const Decision& decision, int action, std::uint64_t weights_version);
-  /// A last observation at a cut: the decision before gets it, and no action follows.
   void Observe(const Decision& decision);
-  void Settle(std::span<const SettledReward> settled);
-  /// Ends the episode (kTerminal or kCut): all that can be completed comes out, the rest is
-  /// dropped.
-  void EndEpisode(EpisodeState state);
+  /// The action for what `agent` observed last, chosen with weights of this version.
+  void Choose(int agent, int action, std::uint64_t weights_version);
+  void Settle(const SettledReward& settled);
+  /// The episode has ended. `last` is the observation to bootstrap from where it was cut.
+  void Finish(EpisodeState state, const Decision& last);
 
-  /// Completed transitions, oldest first; the caller pops them.
+  /// The transitions that have become complete; take them and leave it empty.
   std::deque<Transition>& completed() { return completed_; }
+  std::uint64_t dropped() const { return dropped_; }  // decisions that made no transition, ever
 
  private:
   struct Step {
-    std::uint64_t index = 0;
-    std::vector<float> observation;           // (O)
-    std::vector<std::uint8_t> legal_actions;  // (A)
-    int action = -1;                          // −1: a last observation
+    std::vector<float> observation;   // (O)
+    std::vector<std::uint8_t> legal;  // (A)
     std::uint64_t weights_version = 0;
-    float discount = 1.0f;  // from this decision to the next
+    std::int32_t action = -1;  // −1: not chosen yet
+    float discount = 1.0f;     // from the decision before to this one
     float reward = 0.0f;
     bool settled = false;
   };
+  struct Agent {
+    std::uint64_t first_index = 0;  // of steps.front()
+    std::deque<Step> steps;         // consecutive decisions that made no transition yet
+  };
 
-  void Append(const Decision& decision, int action, std::uint64_t weights_version);
-  /// Completes the agent's steps from the front that have `n` settled decisions and an observation
-  /// after them.
-  void Emit(int agent);
-  Transition Complete(const std::deque<Step>& steps, std::uint32_t agent, std::size_t length) const;
+  void Complete(int agent);
+  void Flush(int agent, EpisodeState state);
+  /// Pops the first step as a transition over its next `steps` (all settled); `terminal` where
+  /// nothing follows, else the step after them is bootstrapped from.
+  void Emit(int agent, std::size_t steps, bool terminal);
+  static std::size_t SettledAhead(const Agent& agent, std::size_t at_most);
 
   EnvironmentSpec spec_;
-  std::size_t n_steps_;
-  std::vector<std::deque<Step>> steps_;  // by agent
+  std::size_t n_;
+  std::vector<Agent> agents_;  // (N)
   std::deque<Transition> completed_;
+  std::uint64_t dropped_ = 0;
 };
 
 }  // namespace ronda

@@ -1,50 +1,50 @@
 #pragma once
-// What a robot that has arrived sees, as numbers, and what its actions mean: one of the schemes by
-// name.
+// What a robot sees when it must decide, and which vertex an action means: one of the observation
+// schemes, chosen by name.
 //
-// `candidates`: CandidateFeatures, one row for each neighbour, padded with zeros to the map's
-// largest degree; action k is the k-th neighbour. `thesis`: SortedVertices. The graph must outlive
-// the encoder. Encode allocates nothing once warm. Thread-compatible.
+// Depends on the world alone, so training and evaluation share it. A value: copies share their
+// tables. Shapes, units, cost and sources: the scheme's own header. Thread-compatible (scratch
+// memory inside): one object for each thread.
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 
-#include "common/environments/candidate_features.h"
-#include "common/environments/sorted_vertices.h"
-#include "common/rl/transition.h"
+#include "common/environments/candidate_encoder.h"
+#include "common/environments/thesis_encoder.h"
 
 namespace ronda {
 
+enum class ObservationScheme { kCandidates, kThesis };
+
+/// "candidates" or "thesis"; else UsageError that lists the names.
+ObservationScheme ParseObservationScheme(const std::string& name);
+std::string_view Name(ObservationScheme scheme);
+
 class ObservationEncoder {
  public:
-  /// `scheme`: one of Names(), else InputError that lists them.
-  ObservationEncoder(const std::string& scheme, const PatrolGraph& graph,
-                     const ShortestPaths& paths);
+  /// `graph` must outlive it; `paths` are the graph's, and are not kept.
+  ObservationEncoder(const PatrolGraph& graph, const ShortestPaths& paths,
+                     ObservationScheme scheme);
 
-  static std::vector<std::string> Names() { return {"candidates", "thesis"}; }
-  /// The scheme that a network of this schema reads; InputError where none does.
-  static std::string SchemeOf(const std::string& schema);
+  ObservationScheme scheme() const {
+    return encoder_.index() == 0 ? ObservationScheme::kCandidates : ObservationScheme::kThesis;
+  }
+  int observation_size() const;  // O
+  int num_actions() const;       // A
+  /// Features of one candidate, where the observation is made of A rows of candidates; else 0.
+  int features_per_candidate() const;
 
-  TransitionShape shape() const { return shape_; }
-  int features() const;  // of one candidate; 0 where the observation is not made of candidates
-  const std::string& schema() const {
-    return schema_;
-  }  // names the meaning of the numbers; a network remembers it
-
-  /// observation (O) and legal actions (A) of a robot that stands at its target.
+  /// The observation (O) and legal actions (A) of `robot`, which has arrived at world.target(robot)
+  /// and waits for its next vertex.
   void Encode(const PatrolWorld& world, int robot, std::span<float> observation,
               std::span<std::uint8_t> legal_actions);
-  /// The vertex that an action leads to from `vertex`.
+  /// The vertex that a legal `action` of a robot at `vertex` goes to.
   int NextVertex(int vertex, int action) const;
 
  private:
-  const PatrolGraph& graph_;
-  TransitionShape shape_;
-  std::string schema_;
-  std::variant<CandidateFeatures, SortedVertices> scheme_;
-  CandidateFeatures::Scratch scratch_;
+  std::variant<CandidateEncoder, ThesisEncoder> encoder_;
 };
 
 }  // namespace ronda

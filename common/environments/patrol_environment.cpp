@@ -1,117 +1,152 @@
 #include "common/environments/patrol_environment.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
 #include "common/base/check.h"
+#include "common/base/error.h"
 
 namespace ronda {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kLatestHorizons = 5.0;  // a visit settles after so many T_d at the latest
+constexpr double kForever = std::numeric_limits<double>::infinity();
+constexpr double kHorizonsToSettle = 5.0;  // after 5 T_d a next visit changes a reward by < 0.7 %
+
+void Require(bool holds, const char* name, const char* rule, double value) {
+  if (!holds || !std::isfinite(value)) {
+    throw InputError(fmt::format("environment.{}: must be {}, got {}", name, rule, value));
+  }
+}
+
+const PatrolEnvironmentOptions& Checked(const PatrolEnvironmentOptions& options) {
+  Require(options.agents >= 1, "agents", "≥ 1", options.agents);
+  Require(options.speed_mps > 0.0, "speed_mps", "> 0", options.speed_mps);
+  Require(options.travel_noise >= 0.0, "travel_noise", "≥ 0", options.travel_noise);
+  Require(options.closed_walk_m > 0.0, "closed_walk_m", "> 0", options.closed_walk_m);
+  Require(options.horizon > 0.0, "horizon", "> 0", options.horizon);
+  Require(options.episode_length > 0.0, "episode_length", "> 0", options.episode_length);
+  Require(options.initial_idleness >= 0.0, "initial_idleness", "≥ 0", options.initial_idleness);
+  return options;
+}
+
+WorldOptions TeamOf(const PatrolEnvironmentOptions& options) {
+  return {.speeds_mps =
+              std::vector<double>(static_cast<std::size_t>(options.agents), options.speed_mps),
+          .travel_noise = options.travel_noise};
+}
 
 }  // namespace
 
 PatrolEnvironment::PatrolEnvironment(const PatrolGraph& graph, const ShortestPaths& paths,
-                                     const PatrolEnvironmentConfig& config)
-    : encoder_(config.observation, graph, paths),
-      config_(config),
-      world_(graph, {.speeds_mps = std::vector<double>(static_cast<std::size_t>(config.agents),
-                                                       config.speed_mps),
-                     .travel_noise = config.travel_noise}),
-      reference_s_(config.closed_walk_m / world_.total_speed_mps()),
-      horizon_s_(config.horizon_t_ref * reference_s_),
-      phi_(static_cast<std::size_t>(config.agents)),
-      open_visits_(static_cast<std::size_t>(graph.vertex_count())),
-      observation_(encoder_.shape().observation_size),
-      legal_(encoder_.shape().num_actions) {
-  RONDA_CHECK(reference_s_ > 0.0 && horizon_s_ > 0.0, "T_ref {} s, T_d {} s", reference_s_,
-              horizon_s_);
-  spec_ = {.observation_size = static_cast<int>(encoder_.shape().observation_size),
-           .num_actions = static_cast<int>(encoder_.shape().num_actions),
-           .num_agents = config.agents};
+                                     const PatrolEnvironmentOptions& options)
+    : options_(Checked(options)),
+      world_(graph, TeamOf(options)),
+      encoder_(graph, paths, options.observation),
+      spec_{.observation_size = encoder_.observation_size(),
+            .num_actions = encoder_.num_actions(),
+            .num_agents = options.agents},
+      agents_(static_cast<std::size_t>(options.agents)),
+      pending_(static_cast<std::size_t>(graph.vertex_count())),
+      observation_(static_cast<std::size_t>(spec_.observation_size)),
+      legal_(static_cast<std::size_t>(spec_.num_actions)) {
+  if (graph.edge_count() == 0) {
+    throw InputError(fmt::format("map {}: patrolling needs at least 1 edge, got 0", graph.name()));
+  }
+  scale_.reference_s = options.closed_walk_m / world_.total_speed_mps();
+  scale_.horizon_s = options.horizon * scale_.reference_s;
+  settle_within_s_ = kHorizonsToSettle * scale_.horizon_s;
+  episode_s_ = options.episode_length * scale_.reference_s;
+  settled_.reserve(2 * pending_.size() + 1);
 }
 
 void PatrolEnvironment::Reset(const Rng& rng) {
-  Rng starts_rng = rng;
-  const auto starts = PatrolWorld::RandomStarts(world_.graph(), config_.agents, starts_rng);
-  world_.Reset(starts, SplitSeed(starts_rng(), 1));
-  phi_.assign(phi_.size(), {});
-  open_visits_.assign(open_visits_.size(), {});
-  due_.clear();
+  Rng draws = rng;
+  const PatrolGraph& graph = world_.graph();
+  const auto starts = PatrolWorld::RandomStarts(graph, options_.agents, draws);
+  std::vector<double> last_visits_s(pending_.size(), 0.0);
+  if (options_.initial_idleness > 0.0) {
+    const double largest_s = options_.initial_idleness * scale_.reference_s;
+    for (double& last_s : last_visits_s) last_s = -largest_s * draws.Uniform();
+  }
+  world_.Reset(starts, draws);
+  for (int v = 0; v < graph.vertex_count(); ++v) world_.SetLastVisit(v, last_visits_s[v]);
+
+  agents_.assign(agents_.size(), Agent{});
+  pending_.assign(pending_.size(), Pending{});
   settled_.clear();
-  Observe(*world_.NextArrival(kNever), 1.0f);
+  state_ = EpisodeState::kRunning;
+  const auto arrival = world_.NextArrival(kForever);
+  MakeDecision(*arrival);
 }
 
 StepOutcome PatrolEnvironment::Step(int action) {
-  RONDA_CHECK(action >= 0 && action < spec_.num_actions && legal_[action] != 0,
-              "action {} of {} is not legal for agent {}", action, spec_.num_actions,
-              decision_.agent);
+  RONDA_CHECK(state_ == EpisodeState::kRunning, "a step after the end of the episode");
+  RONDA_CHECK(action >= 0 && action < spec_.num_actions && legal_[action] == 1,
+              "action {} of {} is not legal for robot {} at vertex {}", action, spec_.num_actions,
+              decision_.agent, world_.target(decision_.agent));
   settled_.clear();
-  Pending& chosen = phi_[decision_.agent];
-  chosen = {.action = action, .decided_s = world_.time_s(), .index = decision_.index};
-  world_.Depart(decision_.agent, encoder_.NextVertex(world_.target(decision_.agent), action));
+  const int robot = decision_.agent;
+  world_.Depart(robot, encoder_.NextVertex(world_.target(robot), action));
 
-  const Arrival arrival = *world_.NextArrival(kNever);
-  SettleLate(arrival.time_s);
-  Arrive(arrival);
-  const Pending& before = phi_[arrival.robot];
-  const bool first = before.action < 0;
-  Observe(arrival,
-          first ? 1.0f
-                : static_cast<float>(std::exp(-(arrival.time_s - before.decided_s) / horizon_s_)));
-  if (arrival.time_s < config_.episode_t_ref * reference_s_) {
-    return {.state = EpisodeState::kRunning, .settled = settled_};
+  const auto arrival = world_.NextArrival(kForever);
+  SettleLate(arrival->time_s);
+  SettleArrival(*arrival);
+  MakeDecision(*arrival);
+  if (arrival->time_s >= episode_s_) {
+    state_ = EpisodeState::kCut;
+    SettleLate(kForever);
   }
-  for (OpenVisit& visit : open_visits_) Settle(visit, kNever);
-  return {.state = EpisodeState::kCut, .settled = settled_};
+  return {.state = state_, .settled = settled_};
 }
 
-void PatrolEnvironment::Arrive(const Arrival& arrival) {
-  OpenVisit& at_vertex = open_visits_[arrival.vertex];
-  Settle(at_vertex, arrival.time_s - at_vertex.visited_s);
-  const Pending& pending = phi_[arrival.robot];
-  if (pending.action < 0) return;  // a start: nobody decided to come here
-  at_vertex = {.agent = arrival.robot,
-               .index = pending.index,
-               .visited_s = arrival.time_s,
-               .visit = {.idleness_s = arrival.idleness_s,
-                         .travel_s = arrival.time_s - pending.decided_s,
-                         .horizon_s = horizon_s_,
-                         .reference_s = reference_s_},
-               .open = true};
-  if (config_.reward == RewardScheme::kIdleness) {
-    Settle(at_vertex, kNever);  // 1 − γ^∞ = 1: the same formula
-  } else {
-    due_.push_back({arrival.time_s, arrival.vertex});
+void PatrolEnvironment::SettleArrival(const Arrival& arrival) {
+  if (pending_[arrival.vertex].agent >= 0) {
+    SettlePending(arrival.vertex, arrival.time_s - pending_[arrival.vertex].since_s);
   }
+  const Agent& agent = agents_[arrival.robot];
+  if (agent.count == 0) return;  // its start: no decision led here
+  const Visit visit{.travel_s = arrival.time_s - agent.made_s, .idleness_s = arrival.idleness_s};
+  if (options_.reward == RewardScheme::kIdleness) {
+    settled_.push_back({.agent = arrival.robot,
+                        .index = agent.count - 1,
+                        .reward = IdlenessReward(visit, scale_)});
+    return;
+  }
+  pending_[arrival.vertex] = {
+      .agent = arrival.robot, .index = agent.count - 1, .since_s = arrival.time_s, .visit = visit};
 }
 
-void PatrolEnvironment::Settle(OpenVisit& visit, double until_next_visit_s) {
-  if (!visit.open) return;
-  visit.open = false;
-  settled_.push_back({.agent = visit.agent,
-                      .index = visit.index,
-                      .reward = HindsightReward(visit.visit, until_next_visit_s)});
-}
-
+/// Settles the visits that waited too long at `now_s`: nobody came.
 void PatrolEnvironment::SettleLate(double now_s) {
-  while (!due_.empty() && now_s - due_.front().visited_s >= kLatestHorizons * horizon_s_) {
-    OpenVisit& visit = open_visits_[due_.front().vertex];
-    if (visit.visited_s == due_.front().visited_s) Settle(visit, kNever);
-    due_.pop_front();
+  for (std::size_t vertex = 0; vertex < pending_.size(); ++vertex) {
+    if (pending_[vertex].agent >= 0 && now_s - pending_[vertex].since_s > settle_within_s_) {
+      SettlePending(static_cast<int>(vertex), kForever);
+    }
   }
 }
 
-void PatrolEnvironment::Observe(const Arrival& arrival, float discount) {
-  const Pending& before = phi_[arrival.robot];
+void PatrolEnvironment::SettlePending(int vertex, double next_visit_after_s) {
+  Pending& pending = pending_[vertex];
+  settled_.push_back({.agent = pending.agent,
+                      .index = pending.index,
+                      .reward = HindsightReward(pending.visit, next_visit_after_s, scale_)});
+  pending.agent = -1;
+}
+
+void PatrolEnvironment::MakeDecision(const Arrival& arrival) {
+  Agent& agent = agents_[arrival.robot];
   encoder_.Encode(world_, arrival.robot, observation_, legal_);
   decision_ = {.agent = arrival.robot,
-               .index = before.action < 0 ? 0 : before.index + 1,
+               .index = agent.count,
                .observation = observation_,
                .legal_actions = legal_,
-               .discount = discount};
+               .discount = agent.count == 0
+                               ? 1.0f
+                               : Discount(arrival.time_s - agent.made_s, scale_.horizon_s)};
+  ++agent.count;
+  agent.made_s = arrival.time_s;
 }
 
 }  // namespace ronda

@@ -1,16 +1,18 @@
 #pragma once
-// Patrolling as an asynchronous semi-Markov decision process: one agent a robot, a decision at each
-// arrival.
+// Graph patrolling as an environment to learn in: each robot is an agent that decides on its
+// arrivals (asynchronous mode, thesis §3.2, with restrained action swap, §4.2).
 //
-// The action of a robot waits in the buffer Φ until the robot has arrived (restrained action swap,
-// thesis §4.2); then visit, reward and the next observation belong together. The discount of a step
-// of τ seconds is exp(−τ / T_d). With the hindsight reward a decision settles when its vertex is
-// visited next, by anyone, after 5 T_d at the latest, or at the end of the episode. An episode ends
-// (kCut) with the first arrival after its time. Contract as rl/environment.h. The graph must
-// outlive the environment. About 3 µs a decision.
+// A semi-MDP: the discount of an edge that took τ seconds is γ^τ with γ = exp(−1/T_d). A robot is
+// asked only where it has arrived; what it chose then stands until its next arrival, where the
+// visit decides the reward of that choice (reward.h). The hindsight reward waits for the next visit
+// of the same vertex by anyone, at most 5 T_d (it then counts as never).
+//
+// Each episode starts from random vertices, at random idleness where asked for. It is cut at the
+// first arrival at or after its length: every decision that has arrived is settled by then (without
+// a next visit: never), those under way are dropped. T_ref = closed walk / Σ speeds is the unit of
+// all times in the options. Errors: InputError for options out of range. Thread-compatible. O(A·V +
+// N·V) a step, no allocation once warm. Source: thesis §1.3, §3.2, §4.2.
 #include <cstdint>
-#include <deque>
-#include <string>
 #include <vector>
 
 #include "common/environments/observation_encoder.h"
@@ -21,21 +23,23 @@
 
 namespace ronda {
 
-struct PatrolEnvironmentConfig {
-  int agents = 10;
-  double speed_mps = 1.0;
-  double travel_noise = 0.0;
-  double closed_walk_m = 0.0;   // L_tsp; T_ref = L_tsp / Σ speeds
-  double horizon_t_ref = 0.3;   // T_d / T_ref
-  double episode_t_ref = 40.0;  // length of an episode / T_ref
-  std::string observation = "candidates";
+struct PatrolEnvironmentOptions {
+  int agents = 10;                // N ≥ 1
+  double speed_mps = 1.0;         // > 0, of every robot
+  double travel_noise = 0.0;      // σ ≥ 0, as WorldOptions
+  double closed_walk_m = 0.0;     // > 0, length of a short closed walk through all vertices
+  double horizon = 0.3;           // T_d in T_ref, > 0
+  double episode_length = 40.0;   // in T_ref, > 0
+  double initial_idleness = 0.0;  // each vertex starts idle for up to so many T_ref; ≥ 0
+  ObservationScheme observation = ObservationScheme::kCandidates;
   RewardScheme reward = RewardScheme::kHindsight;
 };
 
 class PatrolEnvironment final : public Environment {
  public:
+  /// `graph` must outlive it; `paths` are the graph's, and are not kept.
   PatrolEnvironment(const PatrolGraph& graph, const ShortestPaths& paths,
-                    const PatrolEnvironmentConfig& config);
+                    const PatrolEnvironmentOptions& options);
 
   const EnvironmentSpec& spec() const override { return spec_; }
   void Reset(const Rng& rng) override;
@@ -43,47 +47,42 @@ class PatrolEnvironment final : public Environment {
   StepOutcome Step(int action) override;
 
   const PatrolWorld& world() const { return world_; }
-  double reference_s() const { return reference_s_; }  // T_ref
-  double horizon_s() const { return horizon_s_; }      // T_d
+  const ObservationEncoder& encoder() const { return encoder_; }
+  const RewardScale& reward_scale() const { return scale_; }
 
  private:
-  /// What Φ holds of one robot: its action and when it was chosen.
+  /// A decision under way: made at `made_s`; `count` decisions of this agent so far.
+  struct Agent {
+    std::uint64_t count = 0;
+    double made_s = 0.0;
+  };
+  /// A visit whose reward waits for the next visit of the same vertex; none if agent < 0.
   struct Pending {
-    int action = -1;  // −1: none yet
-    double decided_s = 0.0;
+    int agent = -1;
     std::uint64_t index = 0;
-  };
-  /// A visit whose hindsight reward is not known yet.
-  struct OpenVisit {
-    int agent = 0;
-    std::uint64_t index = 0;
-    double visited_s = 0.0;
+    double since_s = 0.0;
     Visit visit;
-    bool open = false;
   };
 
-  void Arrive(const Arrival& arrival);
-  void Settle(OpenVisit& visit, double until_next_visit_s);
+  void SettleArrival(const Arrival& arrival);
   void SettleLate(double now_s);
-  void Observe(const Arrival& arrival, float discount);
+  void SettlePending(int vertex, double next_visit_after_s);
+  void MakeDecision(const Arrival& arrival);
 
-  ObservationEncoder encoder_;
-  PatrolEnvironmentConfig config_;
-  EnvironmentSpec spec_;
+  PatrolEnvironmentOptions options_;
+  RewardScale scale_;
+  double settle_within_s_;
+  double episode_s_;
   PatrolWorld world_;
-  double reference_s_;
-  double horizon_s_;
-  Decision decision_;
-  std::vector<Pending> phi_;            // (N) the buffer Φ
-  std::vector<OpenVisit> open_visits_;  // (V) at most one a vertex
-  struct Due {
-    double visited_s;
-    int vertex;
-  };
-  std::deque<Due> due_;  // visits in order of time
+  ObservationEncoder encoder_;
+  EnvironmentSpec spec_;
+  EpisodeState state_ = EpisodeState::kCut;  // until the first Reset
+  std::vector<Agent> agents_;                // (N)
+  std::vector<Pending> pending_;             // (V)
   std::vector<SettledReward> settled_;
   std::vector<float> observation_;   // (O)
   std::vector<std::uint8_t> legal_;  // (A)
+  Decision decision_;
 };
 
 }  // namespace ronda

@@ -1,31 +1,40 @@
 #include "common/environments/reward.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/base/error.h"
 
 namespace ronda {
 
-std::vector<std::string> RewardSchemeNames() { return {"idleness", "hindsight"}; }
-
 RewardScheme ParseRewardScheme(const std::string& name) {
-  if (name == "idleness") return RewardScheme::kIdleness;
-  if (name == "hindsight") return RewardScheme::kHindsight;
-  throw InputError(fmt::format("no reward is called '{}'; there are {}", name,
-                               fmt::join(RewardSchemeNames(), ", ")));
+  for (const auto scheme : {RewardScheme::kIdleness, RewardScheme::kHindsight}) {
+    if (name == Name(scheme)) return scheme;
+  }
+  throw UsageError(fmt::format("the reward must be one of idleness, hindsight, got '{}'", name));
 }
 
-float IdlenessReward(const Visit& visit) {
-  return static_cast<float>(std::exp(-visit.travel_s / visit.horizon_s) * visit.idleness_s * 2.0 /
-                            visit.reference_s);
+std::string_view Name(RewardScheme scheme) {
+  return scheme == RewardScheme::kIdleness ? "idleness" : "hindsight";
 }
 
-float HindsightReward(const Visit& visit, double until_next_visit_s) {
-  const double gone = -std::expm1(-until_next_visit_s / visit.horizon_s);  // 1 − γ^Δ
-  return static_cast<float>(IdlenessReward(visit) * gone);
+float Discount(double duration_s, double horizon_s) {
+  return std::max(std::numeric_limits<float>::min(),
+                  static_cast<float>(std::exp(-duration_s / horizon_s)));
+}
+
+float IdlenessReward(const Visit& visit, const RewardScale& scale) {
+  return static_cast<float>(std::exp(-visit.travel_s / scale.horizon_s) * visit.idleness_s * 2.0 /
+                            scale.reference_s);
+}
+
+float HindsightReward(const Visit& visit, double next_visit_after_s, const RewardScale& scale) {
+  // 1 − γ^Δ without cancellation for a small Δ.
+  const double not_collected = -std::expm1(-next_visit_after_s / scale.horizon_s);
+  return static_cast<float>(IdlenessReward(visit, scale) * not_collected);
 }
 
 }  // namespace ronda

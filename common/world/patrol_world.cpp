@@ -50,6 +50,12 @@ void PatrolWorld::Reset(std::span<const RobotStart> starts, const Rng& rng) {
   BeginMeasurement();
 }
 
+void PatrolWorld::SetLastVisit(int vertex, double time_s) {
+  RONDA_CHECK(time_s_ == 0.0 && time_s <= 0.0 && waiting_ < 0,
+              "a last visit at {} s, set at {} s: only before the first event", time_s, time_s_);
+  last_visit_s_[vertex] = time_s;
+}
+
 std::vector<RobotStart> PatrolWorld::RandomStarts(const PatrolGraph& graph, int robots, Rng& rng) {
   std::vector<int> order(static_cast<std::size_t>(graph.vertex_count()));
   std::vector<RobotStart> starts;

@@ -68,6 +68,9 @@ class PatrolWorld {
   /// `rng` draws the travel noise.
   void Reset(std::span<const RobotStart> starts, const Rng& rng);
 
+  /// Right after Reset: `vertex` was last visited at `time_s` ≤ 0, so the world starts idle.
+  void SetLastVisit(int vertex, double time_s);
+
   /// Starts for N robots: uniform, distinct while N ≤ V (then every vertex once before any twice).
   static std::vector<RobotStart> RandomStarts(const PatrolGraph& graph, int robots, Rng& rng);
 
