@@ -4,34 +4,32 @@ namespace ronda {
 
 ActorConfig ReadActorConfig(Config& config, const RunConfig& run) {
   ActorConfig actor;
-  PatrolEnvironmentConfig& environment = actor.environment;
+  PatrolEnvironmentOptions& environment = actor.environment;
   environment.agents = run.agents;
   environment.speed_mps =
       config.GetDouble("environment.speed_mps", 1.0, 1e-6, 1e6, "of every robot");
   environment.travel_noise = config.GetDouble("environment.travel_noise", 0.0, 0.0, 2.0,
                                               "σ of the logarithm of travel times");
-  environment.horizon_t_ref = config.GetDouble("environment.horizon_t_ref", 0.3, 1e-3, 1e3,
-                                               "discount horizon −1/ln γ, in T_ref");
-  environment.episode_t_ref = config.GetDouble("environment.episode_t_ref", 40.0, 0.1, 1e6,
-                                               "length of an episode, in T_ref");
-  environment.observation = config.GetString("environment.observation", "candidates",
-                                             ObservationEncoder::Names(), "what a robot sees");
+  environment.horizon = config.GetDouble("environment.horizon_t_ref", 0.3, 1e-3, 1e3,
+                                         "discount horizon −1/ln γ, in T_ref");
+  environment.episode_length = config.GetDouble("environment.episode_t_ref", 40.0, 0.1, 1e6,
+                                                "length of an episode, in T_ref");
+  environment.observation = ParseObservationScheme(config.GetString(
+      "environment.observation", "candidates", {"candidates", "thesis"}, "what a robot sees"));
   environment.reward = ParseRewardScheme(config.GetString(
-      "environment.reward", "hindsight", RewardSchemeNames(), "what a visit is worth"));
-  ExplorationConfig& exploration = actor.exploration;
-  exploration.schedule =
-      config.GetString("exploration.schedule", "linear", {"linear", "exponential"},
-                       "how ε falls with progress") == "linear"
-          ? ExplorationConfig::Schedule::kLinear
-          : ExplorationConfig::Schedule::kExponential;
+      "environment.reward", "hindsight", {"idleness", "hindsight"}, "what a visit is worth"));
+  environment.initial_idleness = config.GetDouble("environment.initial_idleness", 0.0, 0.0, 1e3,
+                                                  "vertices start idle for up to so many T_ref");
+  ExplorationOptions& exploration = actor.exploration;
+  exploration.decay = ParseExplorationDecay(config.GetString(
+      "exploration.schedule", "linear", {"linear", "exponential"}, "how ε falls with progress"));
   exploration.start = config.GetDouble("exploration.start", 1.0, 0.0, 1.0, "ε at the beginning");
   exploration.end = config.GetDouble("exploration.end", 0.05, 0.0, 1.0, "ε at last");
   exploration.share = config.GetDouble("exploration.share", 0.3, 1e-9, 1.0,
-                                       "linear: share of the budget until the end value");
-  exploration.decay =
-      config.GetDouble("exploration.decay", 10.0, 0.0, 1e6, "exponential: λ per budget");
-  exploration.ladder_alpha = config.GetDouble("exploration.ladder_alpha", 0.0, 0.0, 100.0,
-                                              "spread of ε among actors; 0: none");
+                                       "share of the budget until ε is at its last value");
+  exploration.ladder = config.GetDouble("exploration.ladder", 0.0, 0.0, 100.0,
+                                        "spread α of ε among actors; 0: all alike");
+  CheckExploration(exploration);
   actor.n_steps = static_cast<int>(
       config.GetInt("actor.n_steps", 1, 1, 100, "decisions that a transition spans"));
   actor.batch_size = static_cast<std::uint32_t>(

@@ -11,8 +11,8 @@
 namespace ronda {
 
 struct ActorConfig {
-  PatrolEnvironmentConfig environment;  // closed_walk_m is the map's: the caller sets it
-  ExplorationConfig exploration;
+  PatrolEnvironmentOptions environment;  // closed_walk_m is the map's: the caller sets it
+  ExplorationOptions exploration;
   int n_steps = 1;
   std::uint32_t batch_size = 256;  // transitions in a message
   std::chrono::milliseconds max_age{10};

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "actor/actor.h"
 #include "actor/actor_config.h"
 #include "common/dds/control_reader.h"
@@ -31,10 +33,10 @@ ProcessReport Report(const RoleOptions& options, const Actor& actor,
           .incarnation = options.incarnation,
           .pid = getpid(),
           .state = throttled ? "waiting for " + sink.waiting_for() : "running",
-          .metrics = {{"decisions", static_cast<double>(actor.decisions())},
+          .metrics = {{"decisions", static_cast<double>(actor.counters().decisions)},
                       {"sent", static_cast<double>(sink.sent())},
-                      {"weights_version", static_cast<double>(actor.weights_version())},
-                      {"weights_refused", static_cast<double>(actor.weights_refused())},
+                      {"weights_version", static_cast<double>(actor.counters().weights_version)},
+                      {"weights_refused", static_cast<double>(actor.counters().weights_refused)},
                       {"epsilon", actor.epsilon()}}};
 }
 
@@ -68,10 +70,9 @@ int Body(int argc, char** argv, std::stop_token stop) {
   dds::ReportWriter reports(participant);
   Actor actor(environment, policy, sink, weights,
               {.seed = run.seed,
-               .index = options.index,
-               .actors = static_cast<std::uint32_t>(run.actors),
-               .incarnation = options.incarnation,
-               .n_steps = config.n_steps,
+               .index = static_cast<int>(options.index),
+               .actors = std::max(run.actors, static_cast<int>(options.index) + 1),
+               .n_step = config.n_steps,
                .exploration = config.exploration});
   Every report_due(milliseconds(200));
   while (!stop.stop_requested()) {
@@ -91,7 +92,8 @@ int Body(int argc, char** argv, std::stop_token stop) {
   if (!confirmed)
     LogWarning("stopped before everything was confirmed: {} of {} sent", sink.confirmed(),
                sink.sent());
-  LogInfo("stopped after {} decisions, {} transitions sent", actor.decisions(), sink.sent());
+  LogInfo("stopped after {} decisions, {} transitions sent", actor.counters().decisions,
+          sink.sent());
   return 0;
 }
 

@@ -95,10 +95,11 @@ int Run(int argc, char** argv) {
   RunConfig run = ReadRunConfig(config);
   ActorConfig actor_config = ReadActorConfig(config, run);
   actor_config.environment.closed_walk_m = walk.length_m;
-  const ObservationEncoder encoder(actor_config.environment.observation, graph, paths);
-  run.shape = encoder.shape();
-  run.features = encoder.features();
-  run.schema = encoder.schema();
+  const ObservationEncoder encoder(graph, paths, actor_config.environment.observation);
+  run.shape.observation_size = static_cast<std::uint32_t>(encoder.observation_size());
+  run.shape.num_actions = static_cast<std::uint32_t>(encoder.num_actions());
+  run.features = encoder.features_per_candidate();
+  run.schema = Schema(encoder.scheme());
   const LearnerConfig learner_config = ReadLearnerConfig(config, run);
   const ReplayServerConfig replay_config = ReadReplayConfig(config, run);
   config.RejectUnknown();
@@ -110,7 +111,7 @@ int Run(int argc, char** argv) {
   Ports ports(replay, run);
   Actor actor(
       environment, policy, ports, ports,
-      {.seed = run.seed, .n_steps = actor_config.n_steps, .exploration = actor_config.exploration});
+      {.seed = run.seed, .n_step = actor_config.n_steps, .exploration = actor_config.exploration});
   Learner learner(dqn, ports, ports, ports, {.incarnation = 1});
   PolicyFile file;
   file.spec = learner_config.dqn.network;

@@ -84,14 +84,14 @@ TrainSetup::TrainSetup(const TrainArguments& arguments,
   paths_.emplace(*graph_);
   walk_ = ClosedWalkOf(*graph_, *paths_);
   context_ = {.graph = &*graph_, .paths = &*paths_, .closed_walk = &walk_};
-  const ObservationEncoder encoder(actor_.environment.observation, *graph_, *paths_);
+  const ObservationEncoder encoder(*graph_, *paths_, actor_.environment.observation);
   const auto follows = [&](const char* key, Config::Value value) {
     config_.Override(key, std::move(value), "follows from the map");
   };
-  follows("interface.observation_size", std::int64_t{encoder.shape().observation_size});
-  follows("interface.num_actions", std::int64_t{encoder.shape().num_actions});
-  follows("interface.features", std::int64_t{encoder.features()});
-  follows("interface.schema", encoder.schema());
+  follows("interface.observation_size", std::int64_t{encoder.observation_size()});
+  follows("interface.num_actions", std::int64_t{encoder.num_actions()});
+  follows("interface.features", std::int64_t{encoder.features_per_candidate()});
+  follows("interface.schema", std::string(Schema(encoder.scheme())));
   run_ = ReadRunConfig(config_);
   ReadLearnerConfig(config_, run_);
   ReadReplayConfig(config_, run_);

@@ -28,6 +28,17 @@ std::string_view Name(ObservationScheme scheme) {
   return scheme == ObservationScheme::kCandidates ? "candidates" : "thesis";
 }
 
+std::string_view Schema(ObservationScheme scheme) {
+  return scheme == ObservationScheme::kCandidates ? "patrol-candidates-26" : "patrol-thesis-3";
+}
+
+ObservationScheme SchemeOf(const std::string& schema) {
+  for (const auto scheme : {ObservationScheme::kCandidates, ObservationScheme::kThesis}) {
+    if (schema == Schema(scheme)) return scheme;
+  }
+  throw InputError(fmt::format("no observation here has the schema '{}'", schema));
+}
+
 ObservationEncoder::ObservationEncoder(const PatrolGraph& graph, const ShortestPaths& paths,
                                        ObservationScheme scheme)
     : encoder_(MakeEncoder(graph, paths, scheme)) {}

@@ -21,6 +21,10 @@ enum class ObservationScheme { kCandidates, kThesis };
 /// "candidates" or "thesis"; else UsageError that lists the names.
 ObservationScheme ParseObservationScheme(const std::string& name);
 std::string_view Name(ObservationScheme scheme);
+/// What a network remembers of its observation: changes when the meaning of a number does.
+std::string_view Schema(ObservationScheme scheme);
+/// The scheme of a schema; InputError where none has it.
+ObservationScheme SchemeOf(const std::string& schema);
 
 class ObservationEncoder {
  public:

@@ -11,10 +11,10 @@
 namespace ronda {
 namespace {
 
-NetworkSpec FitToMap(NetworkSpec spec, const TransitionShape& shape, const PolicyFile& policy,
+NetworkSpec FitToMap(NetworkSpec spec, const ObservationEncoder& encoder, const PolicyFile& policy,
                      const PatrolGraph& graph) {
-  const auto observation_size = static_cast<int>(shape.observation_size);
-  const auto num_actions = static_cast<int>(shape.num_actions);
+  const int observation_size = encoder.observation_size();
+  const int num_actions = encoder.num_actions();
   if (spec.kind == NetworkSpec::Kind::kCandidateScorer) {
     spec.observation_size = observation_size;
     spec.num_actions = num_actions;
@@ -30,10 +30,10 @@ NetworkSpec FitToMap(NetworkSpec spec, const TransitionShape& shape, const Polic
 class PolicyStrategy final : public Strategy {
  public:
   PolicyStrategy(const PolicyFile& policy, const StrategyContext& context)
-      : encoder_(ObservationEncoder::SchemeOf(policy.spec.schema), *context.graph, *context.paths),
-        policy_(FitToMap(policy.spec, encoder_.shape(), policy, *context.graph)),
-        observation_(encoder_.shape().observation_size),
-        legal_(encoder_.shape().num_actions) {
+      : encoder_(*context.graph, *context.paths, SchemeOf(policy.spec.schema)),
+        policy_(FitToMap(policy.spec, encoder_, policy, *context.graph)),
+        observation_(static_cast<std::size_t>(encoder_.observation_size())),
+        legal_(static_cast<std::size_t>(encoder_.num_actions())) {
     WeightSnapshot snapshot;
     snapshot.version = policy.version;
     snapshot.architecture_hash = policy_.architecture_hash();
