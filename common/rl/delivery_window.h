@@ -29,6 +29,7 @@ struct DeliveryOptions {
   std::chrono::milliseconds max_age{10};         // a batch is closed at this age
   std::chrono::milliseconds repeat_after{1000};  // without progress
   std::chrono::milliseconds announce_every{200};
+  std::size_t max_batches = 64;  // unconfirmed; what carries them may keep no more
   std::chrono::milliseconds replay_silent_after{
       5000};  // then an earlier replay may take over again
 };
@@ -60,7 +61,9 @@ class DeliveryWindow {
   std::uint64_t transitions_repeated() const { return repeated_; }
   bool replay_known() const { return replay_incarnation_.has_value(); }
   bool named() const { return named_; }  // the replay knows this actor
-  bool throttled() const { return next_sequence_ > window_end_; }
+  bool throttled() const {
+    return next_sequence_ > window_end_ || held_.size() >= options_.max_batches;
+  }
   std::uint64_t replay_incarnation() const { return replay_incarnation_.value_or(0); }
 
  private:

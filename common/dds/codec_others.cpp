@@ -1,0 +1,82 @@
+#include <control.h>
+#include <telemetry.h>
+#include <weights.h>
+
+#include "common/dds/codec.h"
+#include "common/dds/codec_checks.h"
+
+namespace ronda::dds {
+
+bool Encode(const WeightSnapshot& value, wire::WeightSnapshot& message) {
+  if (value.values.size() > wire::MAX_WEIGHTS) return false;
+  message.protocol_version(kProtocolVersion);
+  message.learner_incarnation(value.learner_incarnation);
+  message.version(value.version);
+  message.updates(value.updates);
+  message.architecture_hash(value.architecture_hash);
+  message.values(value.values);
+  return true;
+}
+
+Fault Decode(const wire::WeightSnapshot& message, WeightSnapshot& value) {
+  if (message.protocol_version() != kProtocolVersion) return Fault::kVersion;
+  if (message.values().empty() || message.values().size() > wire::MAX_WEIGHTS) return Fault::kSizes;
+  if (!AllFinite(message.values())) return Fault::kNotFinite;
+  value.learner_incarnation = message.learner_incarnation();
+  value.version = message.version();
+  value.updates = message.updates();
+  value.architecture_hash = message.architecture_hash();
+  value.values = message.values();
+  return Fault::kNone;
+}
+
+bool Encode(const ProcessReport& value, wire::ProcessReport& message) {
+  if (value.metrics.size() > wire::MAX_METRICS) return false;
+  message.protocol_version(kProtocolVersion);
+  message.role(value.role);
+  message.process_index(value.index);
+  message.incarnation(value.incarnation);
+  message.pid(value.pid);
+  message.state(value.state);
+  message.metric_names().clear();
+  message.metric_values().clear();
+  for (const auto& [name, metric] : value.metrics) {
+    message.metric_names().emplace_back(name);
+    message.metric_values().push_back(metric);
+  }
+  return true;
+}
+
+Fault Decode(const wire::ProcessReport& message, ProcessReport& value) {
+  if (message.protocol_version() != kProtocolVersion) return Fault::kVersion;
+  if (message.metric_names().size() > wire::MAX_METRICS ||
+      !HasSize(message.metric_values(), message.metric_names().size())) {
+    return Fault::kSizes;
+  }
+  if (message.pid() <= 0) return Fault::kRange;
+  value.role = message.role().c_str();
+  value.index = message.process_index();
+  value.incarnation = message.incarnation();
+  value.pid = message.pid();
+  value.state = message.state().c_str();
+  value.metrics.clear();
+  for (std::size_t i = 0; i < message.metric_names().size(); ++i) {
+    value.metrics.emplace_back(message.metric_names()[i].c_str(), message.metric_values()[i]);
+  }
+  return Fault::kNone;
+}
+
+bool Encode(const RunControl& value, wire::RunControl& message) {
+  message.protocol_version(kProtocolVersion);
+  message.progress(value.progress);
+  return true;
+}
+
+Fault Decode(const wire::RunControl& message, RunControl& value) {
+  if (message.protocol_version() != kProtocolVersion) return Fault::kVersion;
+  if (!(message.progress() >= 0.0 && message.progress() <= 1.0)) return Fault::kRange;
+  value.progress = message.progress();
+  return Fault::kNone;
+}
+
+}  // namespace ronda::dds

@@ -1,0 +1,77 @@
+#include "common/dds/entity.h"
+
+#include <fmt/format.h>
+
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <sstream>
+
+#include "common/base/error.h"
+
+namespace ronda::dds {
+namespace {
+
+using eprosima::fastrtps::types::ReturnCode_t;
+
+// The one place that knows how this version of the library says "done".
+bool Succeeded(const ReturnCode_t& code) { return code == ReturnCode_t::RETCODE_OK; }
+
+std::string GuidText(const eprosima::fastrtps::rtps::GUID_t& guid) {
+  std::ostringstream text;
+  text << guid;
+  return text.str();
+}
+
+}  // namespace
+
+WriterEntity::WriterEntity(Participant::Impl& participant, const Channel& channel,
+                           fastdds::TypeSupport type)
+    : participant_(participant) {
+  fastdds::Topic* topic = participant.TopicNamed(channel.topic, std::move(type));
+  writer_ = participant.publisher->create_datawriter(topic, WriterQos(channel));
+  if (writer_ == nullptr) {
+    throw TransportError(fmt::format("DDS domain {}: no writer could be made for topic '{}'",
+                                     participant.domain, channel.topic));
+  }
+}
+
+WriterEntity::~WriterEntity() { participant_.publisher->delete_datawriter(writer_); }
+
+bool WriterEntity::WriteSample(void* sample) {
+  return Succeeded(writer_->write(sample, fastdds::HANDLE_NIL));
+}
+
+bool WriterEntity::WaitForAcknowledgments(std::chrono::milliseconds at_most) {
+  return Succeeded(writer_->wait_for_acknowledgments(
+      eprosima::fastrtps::Duration_t(static_cast<long double>(at_most.count()) / 1000.0L)));
+}
+
+ReaderEntity::ReaderEntity(Participant::Impl& participant, const Channel& channel,
+                           fastdds::TypeSupport type, Wakeup& wakeup)
+    : participant_(participant), topic_(channel.topic), listener_(wakeup) {
+  fastdds::Topic* topic = participant.TopicNamed(channel.topic, std::move(type));
+  reader_ = participant.subscriber->create_datareader(topic, ReaderQos(channel), &listener_,
+                                                      fastdds::StatusMask::data_available());
+  if (reader_ == nullptr) {
+    throw TransportError(fmt::format("DDS domain {}: no reader could be made for topic '{}'",
+                                     participant.domain, channel.topic));
+  }
+}
+
+ReaderEntity::~ReaderEntity() {
+  reader_->set_listener(nullptr);
+  participant_.subscriber->delete_datareader(reader_);
+}
+
+bool ReaderEntity::TakeSample(void* sample, std::string* sender) {
+  fastdds::SampleInfo info;
+  while (Succeeded(reader_->take_next_sample(sample, &info))) {
+    if (!info.valid_data) continue;  // only says that a writer went away
+    if (sender != nullptr) *sender = GuidText(info.sample_identity.writer_guid());
+    may_hold_more_ = true;
+    return true;
+  }
+  may_hold_more_ = false;
+  return false;
+}
+
+}  // namespace ronda::dds

@@ -1,0 +1,66 @@
+#pragma once
+// A DDS writer and a DDS reader, each owning its entity. Private to common/dds.
+//
+// The participant must outlive them. Construction throws TransportError. A listener only notifies
+// the Wakeup: samples are taken by the thread that owns the reader. Thread-compatible.
+#include <chrono>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <string>
+
+#include "common/dds/participant_impl.h"
+#include "common/dds/qos.h"
+#include "common/dds/wakeup.h"
+
+namespace ronda::dds {
+
+class WriterEntity {
+ public:
+  WriterEntity(Participant::Impl& participant, const Channel& channel, fastdds::TypeSupport type);
+  ~WriterEntity();
+  WriterEntity(const WriterEntity&) = delete;
+  WriterEntity& operator=(const WriterEntity&) = delete;
+
+  /// False: try the same again later.
+  [[nodiscard]] bool WriteSample(void* sample);
+  /// True when every matched reader has received all that was written.
+  bool WaitForAcknowledgments(std::chrono::milliseconds at_most);
+
+ private:
+  Participant::Impl& participant_;
+  fastdds::DataWriter* writer_;
+};
+
+class ReaderEntity {
+ public:
+  ReaderEntity(Participant::Impl& participant, const Channel& channel, fastdds::TypeSupport type,
+               Wakeup& wakeup);
+  ~ReaderEntity();
+  ReaderEntity(const ReaderEntity&) = delete;
+  ReaderEntity& operator=(const ReaderEntity&) = delete;
+
+  /// The next sample, if there is one; `sender` names its writer.
+  [[nodiscard]] bool TakeSample(void* sample, std::string* sender);
+  /// The last call took a sample, so there may be another one that no notification will tell of.
+  bool may_hold_more() const { return may_hold_more_; }
+  const char* topic() const { return topic_; }
+
+ private:
+  class Listener : public fastdds::DataReaderListener {
+   public:
+    explicit Listener(Wakeup& wakeup) : wakeup_(wakeup) {}
+    void on_data_available(fastdds::DataReader*) override { wakeup_.Notify(); }
+
+   private:
+    Wakeup& wakeup_;
+  };
+
+  Participant::Impl& participant_;
+  const char* topic_;
+  Listener listener_;
+  fastdds::DataReader* reader_;
+  bool may_hold_more_ = true;
+};
+
+}  // namespace ronda::dds
