@@ -3,9 +3,9 @@
 // Private to common/dds.
 //
 // A payload that cannot be read yields a value whose protocol version is 0 (no such version
-// exists), so that it reaches the codec and is refused and counted there. Payloads start small and
-// grow with what is sent: a bounded type's largest size, here up to 8 MB a sample, is never set
-// aside.
+// exists), so that it reaches the codec and is refused and counted there. (The library serialises
+// into payloads of the type's largest size, whatever is sent: qos.h keeps few of them at first, and
+// pages that are not written to are never made.)
 #include <exception>
 
 namespace ronda::dds {
@@ -15,8 +15,6 @@ class WireType : public PubSubType {
  public:
   using Value = typename PubSubType::type;
 
-  WireType() { this->m_typeSize = kFirstPayloadBytes; }
-
   bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override {
     try {
       if (PubSubType::deserialize(payload, data)) return true;
@@ -25,9 +23,6 @@ class WireType : public PubSubType {
     *static_cast<Value*>(data) = Value();
     return true;
   }
-
- private:
-  static constexpr std::uint32_t kFirstPayloadBytes = 512;
 };
 
 }  // namespace ronda::dds

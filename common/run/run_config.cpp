@@ -9,6 +9,8 @@ RunConfig ReadRunConfig(Config& config) {
   constexpr std::int64_t kMany = 1'000'000'000'000;
   RunConfig run;
   run.map = config.GetString("run.map", "cumberland", {}, "a map that ships, or a file");
+  run.length = config.GetString("run.length", "euclidean", {"euclidean", "file"},
+                                "where edge lengths come from");
   run.agents = static_cast<int>(config.GetInt("run.agents", 10, 1, 10'000, "robots on the map"));
   run.actors = static_cast<int>(config.GetInt("run.actors", 1, 1, 90, "actor processes"));
   run.algorithm = config.GetString("run.algorithm", "dqn", {"dqn"}, "what the learner runs");
