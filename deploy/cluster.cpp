@@ -92,8 +92,9 @@ Death Cluster::Bury(Member& member, const ExitStatus& status, TimePoint now) {
               .index = member.index,
               .incarnation = member.incarnation,
               .description = {},
-              .log = LastLines(LogFile(member), kLogLines),
+              .log = member.child->LastLogLines(kLogLines),
               .run_ends_with = {}};
+  const RestartLimits limits;
   const std::string how = fmt::format("{} (process {}) ended with {}", member.Name(),
                                       member.child->pid(), status.Description());
   member.child.reset();
@@ -105,7 +106,7 @@ Death Cluster::Bury(Member& member, const ExitStatus& status, TimePoint now) {
     death.run_ends_with = static_cast<int>(ExitCode::kChildGaveUp);
     death.description =
         fmt::format("{}; {} deaths without {} healthy seconds between them, giving up", how,
-                    RestartPolicy::kMostDeaths, RestartPolicy::kHealthy.count());
+                    limits.most_deaths, limits.healthy.count() / 1000);
   } else {
     const std::chrono::duration<double> wait = *member.start_again - now;
     death.description = fmt::format("{}; starting it again in {:.1f} s", how, wait.count());

@@ -16,9 +16,7 @@ namespace {
 PatrolGraph LoadWithWarnings(const EvaluationArguments& arguments) {
   std::vector<std::string> warnings;
   PatrolGraph graph =
-      LoadMap(arguments.map, MapsFolder(),
-              arguments.length == "file" ? EdgeLengthSource::kFile : EdgeLengthSource::kEuclidean,
-              &warnings);
+      LoadMap(arguments.map, MapsFolder(), ParseEdgeLengthSource(arguments.length), &warnings);
   for (const std::string& warning : warnings) fmt::print(stderr, "ronda: warning: {}\n", warning);
   return graph;
 }

@@ -6,6 +6,7 @@
 #include "common/run/process.h"
 #include "deploy/compare_command.h"
 #include "deploy/evaluate_command.h"
+#include "deploy/train_command.h"
 
 namespace {
 
@@ -17,9 +18,12 @@ int Body(int argc, char** argv, std::stop_token stop) {
   app.failure_message(CLI::FailureMessage::simple);
   app.footer(
       "Examples:\n"
+      "  ronda train --map cumberland --agents 10 --for 90s\n"
       "  ronda evaluate --map cumberland --agents 10 --strategy sebs\n"
       "  ronda compare --map cumberland --agents 10 --strategies all\n"
       "Each command explains itself: ronda COMMAND --help");
+  int exit_status = 0;
+  ronda::AddTrainCommand(app, stop, exit_status);
   ronda::AddEvaluateCommand(app, stop);
   ronda::AddCompareCommand(app, stop);
   try {
@@ -27,7 +31,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ronda::ExitCode::kUsage);
   }
-  return 0;
+  return exit_status;
 }
 
 }  // namespace

@@ -1,24 +1,13 @@
 #include "learner/learner_config.h"
 
-namespace ronda {
+#include "common/policies/network_config.h"
 
-NetworkSpec ReadNetworkSpec(Config& config, const RunConfig& run) {
-  NetworkSpec spec;
-  spec.kind = run.features > 0 ? NetworkSpec::Kind::kCandidateScorer : NetworkSpec::Kind::kMlp;
-  spec.observation_size = static_cast<int>(run.shape.observation_size);
-  spec.num_actions = static_cast<int>(run.shape.num_actions);
-  spec.features = run.features;
-  spec.hidden =
-      config.GetIntList("network.hidden", {64, 64}, 1, 4096, "widths of the hidden layers");
-  spec.layer_norm = config.GetBool("network.layer_norm", false, "LayerNorm before each activation");
-  spec.schema = run.schema;
-  return spec;
-}
+namespace ronda {
 
 LearnerConfig ReadLearnerConfig(Config& config, const RunConfig& run) {
   LearnerConfig learner;
   DqnConfig& dqn = learner.dqn;
-  dqn.network = ReadNetworkSpec(config, run);
+  dqn.network = NetworkOf(run);
   dqn.seed = run.seed;
   dqn.batch_size = run.batch_size;
   dqn.loss.double_q = config.GetBool("dqn.double", true, "Double DQN");
@@ -51,6 +40,7 @@ LearnerConfig ReadLearnerConfig(Config& config, const RunConfig& run) {
   learner.checkpoint_every = milliseconds("learner.checkpoint_every_s", 5.0, "between checkpoints");
   learner.outstanding = static_cast<int>(
       config.GetInt("learner.outstanding", 8, 1, 64, "mini-batches asked for ahead"));
+  learner.send_priorities = run.prioritised;
   return learner;
 }
 

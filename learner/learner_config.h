@@ -1,5 +1,5 @@
 #pragma once
-// [dqn], [network] and [learner] of the configuration. Errors: InputError as run/config.h.
+// [dqn] and [learner] of the configuration. Errors: InputError as run/config.h.
 #include <chrono>
 
 #include "common/run/config.h"
@@ -12,12 +12,10 @@ struct LearnerConfig {
   DqnConfig dqn;
   std::chrono::milliseconds publish_every{100};
   std::chrono::milliseconds checkpoint_every{5000};
-  int outstanding = 8;  // mini-batches asked for ahead
+  int outstanding = 8;           // mini-batches asked for ahead
+  bool send_priorities = false;  // where the replay samples by them
 };
 
 LearnerConfig ReadLearnerConfig(Config& config, const RunConfig& run);
-
-/// The network that the run trains; its sizes follow from [interface].
-NetworkSpec ReadNetworkSpec(Config& config, const RunConfig& run);
 
 }  // namespace ronda

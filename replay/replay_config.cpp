@@ -23,9 +23,7 @@ ReplayServerConfig ReadReplayConfig(Config& config, const RunConfig& run) {
       "replay.samples_per_insert", 8.0, 1e-3, 1e6, "transitions sampled for each one inserted");
   replay.rate_limiter.error_buffer = config.GetDouble("replay.error_buffer", 65'536.0, 1.0, 1e15,
                                                       "samples that either side may run ahead");
-  replay.sampler.prioritised =
-      config.GetString("replay.sampler", "uniform", {"uniform", "prioritised"},
-                       "how mini-batches are drawn") == "prioritised";
+  replay.sampler.prioritised = run.prioritised;
   replay.sampler.alpha =
       config.GetDouble("replay.alpha", 0.6, 0.0, 10.0, "exponent of the priorities");
   replay.sampler.beta =

@@ -27,6 +27,11 @@ RunConfig ReadRunConfig(Config& config) {
   run.features = static_cast<int>(
       config.GetInt("interface.features", 0, 0, 10'000, "features of one candidate; 0: none"));
   run.schema = config.GetString("interface.schema", "", {}, "name of the observation");
+  run.hidden_sizes =
+      config.GetIntList("network.hidden", {64, 64}, 1, 4096, "widths of the hidden layers");
+  run.layer_norm = config.GetBool("network.layer_norm", false, "LayerNorm before each activation");
+  run.prioritised = config.GetString("replay.sampler", "uniform", {"uniform", "prioritised"},
+                                     "how mini-batches are drawn") == "prioritised";
   run.batch_size = static_cast<std::uint32_t>(
       config.GetInt("dqn.batch_size", 128, 1, 1024, "transitions in a mini-batch"));
   run.socket_buffer_bytes =

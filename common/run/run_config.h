@@ -1,11 +1,13 @@
 #pragma once
-// The part of the configuration that every process of a run reads: [run], [interface], [dds] and the batch size.
+// The part of the configuration that every process of a run reads: [run], [interface], [network],
+// [dds] and what replay and learner agree on.
 //
 // [interface] holds what follows from the map and the observation; the launcher works it out and
 // writes it down, so replay and learner need to know no environment. Errors: InputError as
 // config.h.
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "common/rl/transition.h"
 #include "common/run/config.h"
@@ -14,6 +16,7 @@ namespace ronda {
 
 struct RunConfig {
   std::string map;
+  std::string length;  // euclidean | file: where edge lengths come from
   int agents = 10;
   int actors = 1;
   std::string algorithm;
@@ -23,7 +26,10 @@ struct RunConfig {
   TransitionShape shape;
   int features = 0;    // of one candidate, where the observation is made of candidates; else 0
   std::string schema;  // name of the observation
+  std::vector<int> hidden_sizes;
+  bool layer_norm = false;
   std::uint32_t batch_size = 128;  // what replay and learner agree on
+  bool prioritised = false;        // mini-batches by priority
   int socket_buffer_bytes = 0;
 };
 

@@ -48,6 +48,12 @@ std::vector<std::string> ShippedMaps(const fs::path& maps_dir) {
 
 }  // namespace
 
+EdgeLengthSource ParseEdgeLengthSource(const std::string& name) {
+  if (name == "euclidean") return EdgeLengthSource::kEuclidean;
+  if (name == "file") return EdgeLengthSource::kFile;
+  throw InputError(fmt::format("edge lengths are 'euclidean' or from 'file', got '{}'", name));
+}
+
 PatrolGraph ReadGraphFile(const fs::path& path, EdgeLengthSource length_source,
                           std::vector<std::string>* warnings) {
   const std::string extension = path.extension().string();

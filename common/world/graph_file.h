@@ -21,6 +21,9 @@ enum class EdgeLengthSource {
                // `length`
 };
 
+/// "euclidean" or "file"; else InputError.
+EdgeLengthSource ParseEdgeLengthSource(const std::string& name);
+
 /// Reads one map file; the format follows from its name (`.graph`, or `.json`).
 PatrolGraph ReadGraphFile(const std::filesystem::path& path, EdgeLengthSource length_source,
                           std::vector<std::string>* warnings);

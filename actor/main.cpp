@@ -1,0 +1,105 @@
+// ronda-actor: patrols with the newest weights and sends what it learns from to the replay.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "actor/actor.h"
+#include "actor/actor_config.h"
+#include "common/dds/control_reader.h"
+#include "common/dds/experience_writer.h"
+#include "common/dds/participant.h"
+#include "common/dds/report_writer.h"
+#include "common/dds/weights_reader.h"
+#include "common/policies/network_config.h"
+#include "common/policies/q_policy.h"
+#include "common/run/every.h"
+#include "common/run/log.h"
+#include "common/run/paths.h"
+#include "common/run/process.h"
+#include "common/run/role_options.h"
+#include "common/world/closed_walk.h"
+#include "common/world/graph_file.h"
+
+namespace ronda {
+namespace {
+
+using std::chrono::milliseconds;
+
+ProcessReport Report(const RoleOptions& options, const Actor& actor,
+                     const dds::ExperienceWriter& sink, bool throttled) {
+  return {.role = "actor",
+          .index = options.index,
+          .incarnation = options.incarnation,
+          .pid = getpid(),
+          .state = throttled ? "waiting for " + sink.waiting_for() : "running",
+          .metrics = {{"decisions", static_cast<double>(actor.decisions())},
+                      {"sent", static_cast<double>(sink.sent())},
+                      {"weights_version", static_cast<double>(actor.weights_version())},
+                      {"weights_refused", static_cast<double>(actor.weights_refused())},
+                      {"epsilon", actor.epsilon()}}};
+}
+
+int Body(int argc, char** argv, std::stop_token stop) {
+  const RoleOptions options =
+      ParseRoleOptions("actor", "An actor of a run: patrols and sends transitions.", argc, argv);
+  StartLog(fmt::format("actor-{}", options.index));
+  if (options.end_with_parent) EndWithParent();
+  Config file = Config::FromFile(options.config_file);
+  const RunConfig run = ReadRunConfig(file);
+  ActorConfig config = ReadActorConfig(file, run);
+  const PatrolGraph graph =
+      LoadMap(run.map, MapsFolder(), ParseEdgeLengthSource(run.length), nullptr);
+  const ShortestPaths paths(graph);
+  config.environment.closed_walk_m = ClosedWalkOf(graph, paths).length_m;
+  PatrolEnvironment environment(graph, paths, config.environment);
+  QPolicy policy(NetworkOf(run));
+
+  dds::Participant participant({.domain = options.domain,
+                                .run_id = options.run_id,
+                                .name = fmt::format("actor-{}", options.index),
+                                .socket_buffer_bytes = run.socket_buffer_bytes});
+  LogInfo("domain {}, {}", options.domain, participant.socket_buffer_report());
+  dds::ExperienceWriter sink(participant, {.actor = options.index,
+                                           .incarnation = options.incarnation,
+                                           .shape = run.shape,
+                                           .batch_size = config.batch_size,
+                                           .max_age = config.max_age});
+  dds::WeightsReader weights(participant, policy.architecture_hash());
+  dds::ControlReader control(participant);
+  dds::ReportWriter reports(participant);
+  Actor actor(environment, policy, sink, weights,
+              {.seed = run.seed,
+               .index = options.index,
+               .actors = static_cast<std::uint32_t>(run.actors),
+               .incarnation = options.incarnation,
+               .n_steps = config.n_steps,
+               .exploration = config.exploration});
+  Every report_due(milliseconds(200));
+  while (!stop.stop_requested()) {
+    if (const RunControl* news = control.Newest()) actor.set_progress(news->progress);
+    constexpr int kBetweenPolls = 100;
+    int decisions = 0;
+    while (decisions < kBetweenPolls && actor.Step() > 0) ++decisions;
+    sink.Poll();
+    const bool throttled = decisions == 0;
+    if (report_due.Due(std::chrono::steady_clock::now())) {
+      reports.Send(Report(options, actor, sink, throttled));
+    }
+    if (throttled) sink.Wait(milliseconds(20));
+  }
+  const bool confirmed = sink.Drain(milliseconds(800));
+  reports.Send(Report(options, actor, sink, false));
+  if (!confirmed)
+    LogWarning("stopped before everything was confirmed: {} of {} sent", sink.confirmed(),
+               sink.sent());
+  LogInfo("stopped after {} decisions, {} transitions sent", actor.decisions(), sink.sent());
+  return 0;
+}
+
+}  // namespace
+}  // namespace ronda
+
+int main(int argc, char** argv) {
+  return ronda::RunProcess("ronda-actor", [&](std::stop_token stop) {
+    return ronda::Body(argc, argv, std::move(stop));
+  });
+}
