@@ -1,4 +1,4 @@
-// Reference values of the steady protocol that two independent simulators agree on (docs/maps.md):
+// Reference values of the steady protocol that two independent simulators agree on (docs/evaluation.md):
 // mean AGI of 400 seeds in px at 1 px/s, and the standard deviation of one episode.
 #include <catch2/catch.hpp>
 #include <cmath>
