@@ -34,8 +34,10 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
       ->capture_default_str();
   command.add_option("--horizon", arguments.horizon_s,
                      "thesis protocol: seconds from zero idleness to the end (default 600)");
-  command.add_option("--episodes", options.episodes, "how many episodes")->capture_default_str();
+  command.add_option("--episodes", options.episodes, "how many episodes, 1 … 1000000")
+      ->capture_default_str();
   command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command.add_option("--speed", options.speed_mps, "of every robot, m/s")->capture_default_str();
   command

@@ -99,8 +99,8 @@ std::string FormatComparison(std::span<const EvaluationReport> reports) {
                   best == nullptr ? "" : "to best classical", "AGI to bound",
                   thesis ? "random to it" : ""});
   for (const EvaluationReport& report : reports) rows.push_back(FormatRow(report, best));
-  rows.push_back({"lower bound", "", fmt::format("{:.2f}", first.bounds.agi_s),
-                  fmt::format("{:.2f}", first.bounds.wi_s), "", "", "", ""});
+  rows.push_back({"lower bound", "", FormatSeconds(first.bounds.agi_s),
+                  FormatSeconds(first.bounds.wi_s), "", "", "", ""});
   std::string text = FormatSetting(first) + "\n" + FormatTable(rows) + "\n";
   if (best != nullptr) {
     text += fmt::format("Best classical strategy by {}: {}; ratios to it are paired by episode.\n",

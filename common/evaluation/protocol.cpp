@@ -160,7 +160,8 @@ void CheckOptions(const EvaluationOptions& options) {
   };
   check(options.agents >= 1 && options.agents <= kMaxAgents, "agents must be in 1 … 10000",
         options.agents);
-  check(options.episodes >= 1, "episodes must be ≥ 1", options.episodes);
+  check(options.episodes >= 1 && options.episodes <= kMaxEpisodes,
+        "episodes must be in 1 … 1000000", options.episodes);
   check(options.speed_mps > 0.0 && std::isfinite(options.speed_mps),
         "speed must be > 0 m/s and finite", options.speed_mps);
   check(options.travel_noise >= 0.0 && std::isfinite(options.travel_noise),

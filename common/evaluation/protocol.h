@@ -29,7 +29,7 @@ inline constexpr double kWindowTref = 60.0;
 struct EvaluationOptions {
   Protocol protocol = Protocol::kSteady;
   double horizon_s = 600.0;  // of the thesis protocol, > 0
-  int episodes = 20;         // ≥ 1
+  int episodes = 20;         // 1 … kMaxEpisodes
   std::uint64_t seed = 1;
   int agents = 1;             // 1 … kMaxAgents
   double speed_mps = 1.0;     // > 0
@@ -38,6 +38,7 @@ struct EvaluationOptions {
 };
 
 inline constexpr int kMaxAgents = 10'000;
+inline constexpr int kMaxEpisodes = 1'000'000;
 
 struct EpisodeResult {
   double agi_s = 0.0;

@@ -38,6 +38,9 @@ std::string FormatReport(const EvaluationReport& report);
 /// window, episodes, seed.
 std::string FormatSetting(const EvaluationReport& report);
 
+/// With 2 decimals, below 1 s with 4.
+std::string FormatSeconds(double seconds);
+
 /// `12.34 ± 0.56`, or without the interval where there is none.
 std::string FormatEstimate(const Estimate& estimate);
 

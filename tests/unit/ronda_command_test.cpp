@@ -1,0 +1,125 @@
+// The front command as a user meets it: exit status, one sentence on stderr, nothing half-written.
+#include <sys/wait.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/unit/temporary_folder.h"
+
+namespace ronda {
+namespace {
+
+struct CommandResult {
+  int status;
+  std::string output;  // stdout and stderr
+};
+
+CommandResult Ronda(const std::string& arguments) {
+  const std::string command = RONDA_BIN_DIR "/ronda " + arguments + " 2>&1";
+  FILE* const pipe = ::popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  CommandResult result{};
+  std::array<char, 4096> buffer{};
+  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+    result.output.append(buffer.data(), n);
+  }
+  result.status = WEXITSTATUS(::pclose(pipe));
+  return result;
+}
+
+std::string Evaluate(const std::string& arguments) {
+  return "evaluate --map " RONDA_SOURCE_DIR "/maps/4nodes.json " + arguments;
+}
+
+TEST_CASE("evaluate prints what it measured, and writes JSON and trace") {
+  const testing::TemporaryFolder folder;
+  const auto json_path = (folder.path() / "r.json").string();
+  const auto trace_path = (folder.path() / "t.csv").string();
+
+  const auto result = Ronda(Evaluate("--agents 7 --strategy sebs --episodes 2 --json " + json_path +
+                                     " --trace " + trace_path));
+
+  CHECK(result.status == 0);
+  CHECK_THAT(result.output, Catch::Contains("7 robots") && Catch::Contains("lower bound"));
+  std::ifstream file(json_path);
+  const auto json = nlohmann::json::parse(file);
+  CHECK(json["map"] == RONDA_SOURCE_DIR "/maps/4nodes.json");
+  CHECK(json["agents"] == 7);
+  CHECK(json["episodes"] == 2);
+  CHECK(json["agi_s"]["mean"].get<double>() > json["lower_bound_agi_s"].get<double>() * 0.98);
+  CHECK(std::distance(std::filesystem::directory_iterator(folder.path()),
+                      std::filesystem::directory_iterator()) == 2);
+}
+
+TEST_CASE("compare puts all strategies into one table and one list") {
+  const testing::TemporaryFolder folder;
+  const auto json_path = (folder.path() / "r.json").string();
+
+  const auto result = Ronda("compare --map " RONDA_SOURCE_DIR
+                            "/maps/grid.json --agents 2 --strategies all --protocol thesis "
+                            "--horizon 200 --episodes 3 --json " +
+                            json_path);
+
+  CHECK(result.status == 0);
+  CHECK_THAT(result.output, Catch::Contains("horizon 200 s") && Catch::Contains("gei:0.5") &&
+                                Catch::Contains("Best classical"));
+  std::ifstream file(json_path);
+  const auto json = nlohmann::json::parse(file);
+  REQUIRE(json.size() == 8);
+  CHECK(json[0]["strategy"] == "random");
+  CHECK(json[0]["ratio_to_random"] == 1.0);
+  CHECK(json[7]["strategy"] == "cyclic");
+}
+
+TEST_CASE("Bad arguments end with status 2 and a sentence that says what is wrong") {
+  struct Case {
+    const char* arguments;
+    const char* says;
+  };
+  for (const Case& bad :
+       {Case{"--agents 0 --strategy cr", "agents"}, Case{"--agents 10001 --strategy cr", "agents"},
+        Case{"--agents two --strategy cr", "--agents"}, Case{"--strategy cr", "--agents"},
+        Case{"--agents 2", "--strategy"}, Case{"--agents 2 --strategy cr --policy x", "--policy"},
+        Case{"--agents 2 --strategy nobody", "nobody"},
+        Case{"--agents 2 --strategy cr --noise -0.1", "noise"},
+        Case{"--agents 2 --strategy cr --speed 0", "speed"},
+        Case{"--agents 2 --strategy cr --episodes 0", "episodes"},
+        Case{"--agents 2 --strategy cr --seed -1", "--seed"},
+        Case{"--agents 2 --strategy cr --horizon 9", "--horizon"},
+        Case{"--agents 2 --strategy cr --protocol other", "--protocol"},
+        Case{"--agents 2 --strategy cr --json /nowhere/r.json", "/nowhere/r.json"},
+        Case{"--agents 2 --strategy cr --trace /nowhere/t.csv", "/nowhere/t.csv"},
+        Case{"--agents 2 --strategy cr --unknown", "--unknown"}}) {
+    CAPTURE(bad.arguments);
+    const auto result = Ronda(Evaluate(bad.arguments));
+    CHECK(result.status == 2);
+    CHECK_THAT(result.output, Catch::Contains(bad.says));
+  }
+}
+
+TEST_CASE("A map or policy that does not exist ends with status 3 and is named") {
+  const auto map = Ronda("evaluate --map atlantis --agents 2 --strategy cr");
+  CHECK(map.status == 3);
+  CHECK_THAT(map.output, Catch::Contains("atlantis"));
+
+  const auto policy = Ronda(Evaluate("--agents 2 --policy nobody"));
+  CHECK(policy.status == 3);
+  CHECK_THAT(policy.output, Catch::Contains("nobody"));
+}
+
+TEST_CASE("Help and version are no errors, a missing command is") {
+  CHECK(Ronda("--version").output.starts_with("ronda "));
+  CHECK(Ronda("--help").status == 0);
+  CHECK_THAT(Ronda("evaluate --help").output, Catch::Contains("Example"));
+  CHECK_THAT(Ronda("compare --help").output, Catch::Contains("Example"));
+  CHECK(Ronda("").status == 2);
+}
+
+}  // namespace
+}  // namespace ronda
