@@ -167,6 +167,22 @@ TEST_CASE("At a cut a decision that is under way or was never settled makes no t
   CHECK(sut.adder.dropped() == 2);
 }
 
+TEST_CASE(
+    "At a cut a decision that is settled but saw nothing after it lends only its observation") {
+  Script sut(2, 2);
+  for (std::uint64_t k = 0; k < 2; ++k) {
+    sut.Decide(1, k, 0.5f);
+    sut.adder.Settle({.agent = 1, .index = k, .reward = 6.0f});
+  }
+
+  sut.adder.Finish(EpisodeState::kCut, sut.At(0, 0, 1.0f));
+
+  const auto transitions = sut.Take();
+  REQUIRE(transitions.size() == 1);
+  Check(transitions[0], 1, 0, 6.0f, 0.5f, 1);
+  CHECK(sut.adder.dropped() == 1);
+}
+
 TEST_CASE("A new episode counts its decisions from 0") {
   Script sut(1, 1);
   sut.Decide(0, 0, 1.0f);

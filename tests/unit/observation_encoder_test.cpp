@@ -116,6 +116,27 @@ TEST_CASE("A candidate that another robot reaches before shows the claim and the
   CHECK(observation.values[19] == 0.0f);
 }
 
+TEST_CASE("A vertex that another robot reaches at the same time is not the robot's own") {
+  Rng rng(11);
+  for (int i = 0; i < 500; ++i) {
+    // Robot 1 is as far from 2 as robot 0 at 0 is, by way of 1; so they tie at 2, 3 and 4.
+    const double first_m = 0.1 + rng.Uniform();
+    const double second_m = 0.1 + rng.Uniform();
+    const double third_m = first_m + second_m;
+    const PatrolGraph graph =
+        Graph(5, {{0, 1, first_m}, {1, 2, second_m}, {2, 3, third_m}, {3, 4, 0.1 + rng.Uniform()}});
+    ObservationEncoder sut(graph, ShortestPaths(graph), ObservationScheme::kCandidates);
+    PatrolWorld world(graph, {.speeds_mps = {3.0, 3.0}});
+    world.Reset(std::vector<RobotStart>{{.vertex = 0}, {3, 2, third_m}}, Rng(1));
+    world.NextArrival(0.0);
+
+    const Observation observation = Encode(sut, world, 0);
+
+    INFO("draw " << i << ": " << first_m << " m, " << second_m << " m");
+    REQUIRE(observation.values[17] == Approx(2.0 / 5.0));  // vertex 1 alone, N/V
+  }
+}
+
 TEST_CASE("Neighbours that do not exist are rows of zeros and not legal") {
   const PatrolGraph graph = Line();
   ObservationEncoder sut(graph, ShortestPaths(graph), ObservationScheme::kCandidates);
