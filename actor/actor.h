@@ -26,7 +26,7 @@ struct ActorOptions {
   int index = 0;   // of this actor, 0 … actors − 1
   int actors = 1;  // of the run
   int n_step = 1;
-  ExplorationOptions exploration;
+  ExplorationOptions exploration = {};
 };
 
 struct ActorCounters {

@@ -84,8 +84,7 @@ void CandidateEncoder::ObserveIdleness(const PatrolWorld& world, int robot) {
     sum += idleness_[x];
   }
   mean_idleness_ = std::max(kFloor, sum / static_cast<float>(last_visits_s.size()));
-  worthwhile_ = idleness_;
-  worthwhile_[world.target(robot)] = 0.0f;
+  worthwhile_ = idleness_;  // 0 at the robot's vertex, which it has just visited
   for (const OtherRobot& other : team_.others()) worthwhile_[other.target] = 0.0f;
   largest_worthwhile_ = std::max(kFloor, *std::max_element(worthwhile_.begin(), worthwhile_.end()));
 }

@@ -41,20 +41,19 @@ inline constexpr std::array kCandidateFeatureNames = {
     "idleness_within_3",      // by exp(−d / 3)
     "idleness_within_9",      // by exp(−d / 9)
     "own_idleness_within_1",  // the same over own only, divided by the weights of all
-    "own_idleness_within_3",  //
-    "own_idleness_within_9",  //
-    "best_behind",            // log1p of the best (e + t) / (t + 0.3) / m, t = w + d(v, x), over
-                              // behind with e(x) > 0; 0 if none
-    "best_own_behind",        // the same over behind ∩ own
-    "own_behind_count",       // |behind ∩ own| · N / V
-    "idleness_of_max",        // idleness of v / largest e
-    "claimed_lead",           // claimed · lead
-    "own_behind_mean",        // mean e over behind ∩ own, /m; 0 if none
-    "share_of_sum",           // Σ e over behind ∩ own, as a share of the sum over the candidates
-    "robots_per_vertex",      // 4 N / V
-    "candidates",             // number of candidates / 3
-    "own_behind_max",         // largest e over behind ∩ own / largest e
-    "log_mean_idleness",      // log(m · N / V + 0.001)
+    "own_idleness_within_3", "own_idleness_within_9",
+    "best_behind",        // log1p of the best (e + t) / (t + 0.3) / m, t = w + d(v, x), over
+                          // behind with e(x) > 0; 0 if none
+    "best_own_behind",    // the same over behind ∩ own
+    "own_behind_count",   // |behind ∩ own| · N / V
+    "idleness_of_max",    // idleness of v / largest e
+    "claimed_lead",       // claimed · lead
+    "own_behind_mean",    // mean e over behind ∩ own, /m; 0 if none
+    "share_of_sum",       // Σ e over behind ∩ own, as a share of the sum over the candidates
+    "robots_per_vertex",  // 4 N / V
+    "candidates",         // number of candidates / 3
+    "own_behind_max",     // largest e over behind ∩ own / largest e
+    "log_mean_idleness",  // log(m · N / V + 0.001)
 };
 
 class CandidateEncoder {
