@@ -1,11 +1,12 @@
 #pragma once
-// Configuration: TOML with typed, ranged getters; every message reads `file:line:column: key: rule,
-// got value`.
+// The configuration of a process: TOML with typed, ranged getters.
 //
-// A getter gives the value of a dotted key, or its default, and registers the key; after all
-// getters have run, RejectUnknown refuses keys that nobody asked for, naming the nearest one known,
-// and Resolved prints every key with its value. All errors are InputError. A value;
-// thread-compatible.
+// A getter returns the value of a dotted key (`dqn.batch_size`), or its default, and registers the
+// key; after all getters have run, RejectUnknown refuses what nobody asked for and Resolved prints
+// every key with its value. Messages read `file:line:column: key: rule, got value`, or begin with
+// `--set key=value` for what came from there. Errors: InputError; UsageError where --set itself is
+// malformed. A default that breaks its own range is a bug and aborts. Plain value;
+// thread-compatible. Format: TOML 1.0.
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -18,50 +19,68 @@ namespace ronda {
 
 class Config {
  public:
-  using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<std::int64_t>>;
+  using IntList = std::vector<std::int64_t>;
+  /// monostate: a kind of value that no key has (a date, a list of texts).
+  using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, IntList>;
 
   Config() = default;
   static Config FromFile(const std::filesystem::path& path);
+  /// `name` stands for the file in messages.
   static Config FromString(std::string_view text, const std::string& name);
 
-  /// Takes `KEY=VALUE` (a TOML value; a bare word is a string); wins over what a file said.
+  /// Takes one `--set KEY=VALUE`; wins over the file and over what was set before. VALUE is TOML,
+  /// and a text that is not (cumberland, maps/a.graph) is taken as a string.
   void Set(const std::string& assignment);
-  /// As Set, for a value that is known: what a command-line option of its own gives.
+  /// As Set, for what a command-line option of its own gives; `option` begins the messages.
   void Override(const std::string& key, Value value, const std::string& option);
 
-  std::int64_t GetInt(const std::string& key, std::int64_t fallback, std::int64_t least,
+  // `least` and `most` are included; the type's own limits, or an infinity, do not limit.
+  std::int64_t GetInt(const std::string& key, std::int64_t default_value, std::int64_t least,
                       std::int64_t most, const std::string& doc);
-  double GetDouble(const std::string& key, double fallback, double least, double most,
+  /// Whole numbers are taken too; inf and nan never are.
+  double GetDouble(const std::string& key, double default_value, double least, double most,
                    const std::string& doc);
-  bool GetBool(const std::string& key, bool fallback, const std::string& doc);
+  bool GetBool(const std::string& key, bool default_value, const std::string& doc);
   /// `allowed` empty: any text.
-  std::string GetString(const std::string& key, const std::string& fallback,
+  std::string GetString(const std::string& key, const std::string& default_value,
                         const std::vector<std::string>& allowed, const std::string& doc);
-  std::vector<int> GetIntList(const std::string& key, const std::vector<int>& fallback, int least,
-                              int most, const std::string& doc);
+  /// `least` and `most` hold for each element.
+  std::vector<int> GetIntList(const std::string& key, const std::vector<int>& default_value,
+                              int least, int most, const std::string& doc);
 
+  /// Whether a file or --set gave the key.
   bool Has(const std::string& key) const { return given_.contains(key); }
+
+  /// Throws for the first key that no getter asked for, and names the nearest one that is known.
   void RejectUnknown() const;
-  /// All registered keys as TOML, each with its doc as a comment; reads back to the same values.
+
+  /// All registered keys in their sections, in the order of registration, each below a comment with
+  /// its doc, rule and default; reads back to the same values.
   std::string Resolved() const;
 
  private:
   struct Given {
     Value value;
-    std::string place;  // "config.toml:3:1", or "--set"
+    std::string text;   // as TOML
+    std::string place;  // "config.toml:3:1", "--set dqn.batch_size=0"
   };
   struct Known {
-    Value value;
+    std::string key;
+    std::string value;  // as TOML
+    std::string default_value;
+    std::string rule;  // "1 to 65536"
     std::string doc;
   };
 
-  void ReadToml(std::string_view text, const std::string& name);
-  [[noreturn]] void Refuse(const std::string& key, const std::string& rule) const;
+  struct Reader;  // TOML → given_; in the source, so that no TOML type shows here
+
   template <class T>
-  const T* Find(const std::string& key, const char* rule) const;
+  const T* Find(const std::string& key, const std::string& rule) const;
+  [[noreturn]] void Refuse(const std::string& key, const std::string& rule) const;
+  void Register(Known known);
 
   std::map<std::string, Given> given_;
-  std::map<std::string, Known> known_;
+  std::vector<Known> known_;
 };
 
 }  // namespace ronda

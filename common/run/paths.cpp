@@ -9,6 +9,10 @@ std::filesystem::path HomeFolder() {
   return home != nullptr && *home != '\0' ? home : RONDA_SOURCE_DIR;
 }
 
+std::filesystem::path MapsFolder() { return HomeFolder() / "maps"; }
+
+std::filesystem::path PoliciesFolder() { return HomeFolder() / "policies"; }
+
 std::filesystem::path ProgramFolder() {
   return std::filesystem::read_symlink("/proc/self/exe").parent_path();
 }

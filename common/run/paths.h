@@ -1,14 +1,15 @@
 #pragma once
-// Where Ronda's own files stand: the environment variable RONDA_HOME, else the source folder that
-// it was built from.
+// Where Ronda's own files stand. HomeFolder is the environment variable RONDA_HOME, else the source
+// folder that the program was built from. Pure but for the environment; nothing need exist.
 #include <filesystem>
 
 namespace ronda {
 
 std::filesystem::path HomeFolder();
-inline std::filesystem::path MapsFolder() { return HomeFolder() / "maps"; }
-inline std::filesystem::path PoliciesFolder() { return HomeFolder() / "policies"; }
-/// The folder of the running program, where its siblings (ronda-actor, …) are.
+std::filesystem::path MapsFolder();
+std::filesystem::path PoliciesFolder();
+
+/// The folder of the running executable, where its siblings (ronda-actor, …) are. Linux only.
 std::filesystem::path ProgramFolder();
 
 }  // namespace ronda

@@ -1,82 +1,101 @@
 #include "common/run/process.h"
 
 #include <fmt/format.h>
-#include <pthread.h>
+#include <poll.h>
+#include <sys/eventfd.h>
 #include <sys/prctl.h>
-#include <unistd.h>
+#include <sys/signalfd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <ctime>
+#include <cstring>
 #include <exception>
 #include <thread>
 
 #include "common/base/error.h"
+#include "common/run/file_descriptor.h"
 
 namespace ronda {
 namespace {
 
-sigset_t StopSignals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  return signals;
-}
+constexpr int kOtherException = 1;
 
-/// Waits for signals on a thread of its own until told to stop.
+/// Blocks SIGINT and SIGTERM, and requests a stop when the first one comes.
 class SignalWatch {
  public:
-  explicit SignalWatch(std::stop_source& stop)
-      : thread_([this, &stop](std::stop_token done) {
-          const sigset_t signals = StopSignals();
-          const timespec slice{.tv_sec = 0, .tv_nsec = 50'000'000};
-          while (!done.stop_requested()) {
-            const int signal = sigtimedwait(&signals, nullptr, &slice);
-            if (signal <= 0) continue;
-            int none = 0;
-            first_.compare_exchange_strong(none, signal);
-            stop.request_stop();
-          }
-        }) {}
+  SignalWatch() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    signals_ = FileDescriptor(::signalfd(-1, &signals, SFD_CLOEXEC));
+    end_ = FileDescriptor(::eventfd(0, EFD_CLOEXEC));
+    if (!signals_.is_open() || !end_.is_open()) {
+      throw Error(ExitCode::kTransport, fmt::format("signals: {}", std::strerror(errno)));
+    }
+    thread_ = std::thread([this] { Watch(); });
+  }
 
-  int first() const { return first_; }
+  ~SignalWatch() {
+    ::eventfd_write(end_.number(), 1);
+    thread_.join();
+  }
+
+  std::stop_token stop_token() const { return stop_.get_token(); }
+  int first_signal() const { return first_signal_; }  // 0: none
 
  private:
-  std::atomic<int> first_ = 0;
-  std::jthread thread_;
+  void Watch() {
+    pthread_setname_np(pthread_self(), "signals");
+    pollfd watched[2] = {{signals_.number(), POLLIN, 0}, {end_.number(), POLLIN, 0}};
+    while (true) {
+      if (::poll(watched, 2, -1) < 0) continue;  // EINTR
+      signalfd_siginfo info;
+      if (watched[0].revents != 0 && ::read(signals_.number(), &info, sizeof info) == sizeof info &&
+          first_signal_ == 0) {
+        first_signal_ = static_cast<int>(info.ssi_signo);
+        stop_.request_stop();
+      }
+      if (watched[1].revents != 0) return;
+    }
+  }
+
+  FileDescriptor signals_;
+  FileDescriptor end_;
+  std::stop_source stop_;
+  std::atomic<int> first_signal_{0};
+  std::thread thread_;
 };
 
-int RunBody(const std::string& name, const std::function<int(std::stop_token)>& body,
-            std::stop_token stop) {
-  try {
-    return body(std::move(stop));
-  } catch (const Error& error) {
-    fmt::print(stderr, "{}: {}\n", name, error.what());
-    return static_cast<int>(error.exit_code());
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", name, error.what());
-    return 1;
-  }
+int PrintFailure(const std::string& name, const char* message, int exit_status) {
+  std::fprintf(stderr, "%s: %s\n", name.c_str(), message);
+  return exit_status;
 }
 
 }  // namespace
 
-int RunProcess(const std::string& name, const std::function<int(std::stop_token)>& body) {
-  const sigset_t signals = StopSignals();
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
-  std::stop_source stop;
-  SignalWatch watch(stop);
-  const int status = RunBody(name, body, stop.get_token());
-  return status == 0 && watch.first() != 0 ? 128 + watch.first() : status;
+int RunProcess(const std::string& name, const std::function<int(std::stop_token stop)>& body) {
+  std::signal(SIGCHLD, SIG_DFL);  // where it came ignored, no child's end could be read
+  std::signal(SIGPIPE, SIG_IGN);  // a pipe that nobody reads is a failed write
+  try {
+    SignalWatch watch;
+    const int status = body(watch.stop_token());
+    return status == 0 && watch.first_signal() != 0 ? 128 + watch.first_signal() : status;
+  } catch (const Error& error) {
+    return PrintFailure(name, error.what(), static_cast<int>(error.exit_code()));
+  } catch (const std::exception& error) {
+    return PrintFailure(name, error.what(), kOtherException);
+  } catch (...) {
+    return PrintFailure(name, "an exception that is no std::exception", kOtherException);
+  }
 }
 
-void EndWithParent() {
-  const pid_t parent = getppid();
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent || parent == 1) std::raise(SIGTERM);
+void EndWithParent(pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) ::raise(SIGTERM);
 }
 
 }  // namespace ronda

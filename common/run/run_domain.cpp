@@ -1,42 +1,51 @@
 #include "common/run/run_domain.h"
 
 #include <arpa/inet.h>
+#include <fmt/format.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
+
+#include "common/base/check.h"
 #include "common/base/error.h"
+#include "common/base/rng.h"
 
 namespace ronda {
 namespace {
 
-constexpr int kDomains = 100;
-constexpr int kFirstPort = 7300;  // below the ports of domain 0 (7400 …)
+/// Open where the port was free.
+FileDescriptor BindDomain(int domain) {
+  FileDescriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  if (!socket.is_open()) throw TransportError(fmt::format("socket: {}", std::strerror(errno)));
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(7400 + 250 * domain + 249));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (::bind(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    if (errno == EADDRINUSE) return FileDescriptor();
+    throw TransportError(fmt::format("DDS domain {}: its loopback port cannot be bound: {}", domain,
+                                     std::strerror(errno)));
+  }
+  return socket;
+}
 
 }  // namespace
 
-RunDomain::RunDomain(std::uint64_t hint) {
-  for (int attempt = 0; attempt < kDomains; ++attempt) {
-    const int domain = 1 + static_cast<int>((hint + attempt) % kDomains);
-    const int candidate = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    if (candidate < 0) break;
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(kFirstPort + domain - 1));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (bind(candidate, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
-        listen(candidate, 1) == 0) {
-      domain_ = domain;
-      socket_ = candidate;
-      return;
-    }
-    close(candidate);
+RunDomain::RunDomain(std::uint64_t hint, DomainRange range) {
+  RONDA_CHECK(0 <= range.first && range.first <= range.last && range.last <= 100,
+              "domains {} to {}", range.first, range.last);
+  const int count = range.last - range.first + 1;
+  const int start = static_cast<int>(Rng::NextSplitMix(hint) % static_cast<std::uint64_t>(count));
+  for (int i = 0; i < count && !socket_.is_open(); ++i) {
+    domain_ = range.first + (start + i) % count;
+    socket_ = BindDomain(domain_);
   }
-  throw TransportError(
-      "no DDS domain from 1 to 100 is free on this machine (each run holds loopback port 7299 + "
-      "its domain)");
+  if (!socket_.is_open()) {
+    throw TransportError(
+        fmt::format("DDS domains {} to {} are all taken by other runs", range.first, range.last));
+  }
 }
-
-RunDomain::~RunDomain() { close(socket_); }
 
 }  // namespace ronda

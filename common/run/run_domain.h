@@ -1,25 +1,32 @@
 #pragma once
-// A DDS domain (1 … 100) that this run has to itself on this machine.
+// A DDS domain that this run has to itself on this machine.
 //
-// Held by binding a loopback TCP port that the domain gives (a lock file would not be seen from a
-// container that shares the network). Ends with the process. TransportError where all are taken.
+// Held by binding the loopback TCP port 7400 + 250 · domain + 249: it lies among the domain's own
+// ports (RTPS 2.3 §9.6.1.1), which DDS uses for UDP only, and below the ephemeral range of Linux; a
+// container that shares the network sees it too. Ends with the object or the process; not inherited
+// by children. TransportError where every domain of the range is taken. Thread-compatible.
 #include <cstdint>
+
+#include "common/run/file_descriptor.h"
 
 namespace ronda {
 
+struct DomainRange {
+  int first = 1;
+  int last = 100;
+};
+
 class RunDomain {
  public:
-  /// Tries all domains, beginning at one that `hint` gives.
-  explicit RunDomain(std::uint64_t hint);
-  ~RunDomain();
-  RunDomain(const RunDomain&) = delete;
-  RunDomain& operator=(const RunDomain&) = delete;
+  /// Tries all domains of the range once, beginning at one that follows from `hint` (say, a hash of
+  /// the run folder's path).
+  explicit RunDomain(std::uint64_t hint, DomainRange range = {});
 
   int domain() const { return domain_; }
 
  private:
   int domain_ = 0;
-  int socket_ = -1;
+  FileDescriptor socket_;
 };
 
 }  // namespace ronda

@@ -3,89 +3,77 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 
 #include "common/base/error.h"
+#include "common/run/whole_file.h"
 
 namespace ronda {
 namespace {
 
-[[noreturn]] void Refuse(const std::filesystem::path& path, const std::string& what) {
-  throw InputError(fmt::format("{}: {}", path.string(), what));
+[[noreturn]] void Refuse(const std::filesystem::path& path, const std::string& reason) {
+  throw InputError(
+      fmt::format("{}: the run folder cannot be made or written: {}", path.string(), reason));
 }
 
-void MakeFolder(const std::filesystem::path& path) {
+void MakeWritable(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error) Refuse(path, "the folder cannot be made: " + error.message());
+  if (error) Refuse(path, error.message());
+  if (::access(path.c_str(), W_OK | X_OK) != 0) Refuse(path, std::strerror(errno));
+}
+
+[[noreturn]] void RefuseInUse(const std::filesystem::path& path,
+                              const std::filesystem::path& lock_file) {
+  const std::string pid = ReadWholeFile(lock_file);  // empty just after the holder took it
+  throw Error(ExitCode::kRunFolderInUse,
+              fmt::format("{}: the run folder is in use by {}", path.string(),
+                          pid.empty() ? "another process" : "process " + pid));
+}
+
+FileDescriptor Lock(const std::filesystem::path& path) {
+  const std::filesystem::path lock_file = path / "lock";
+  FileDescriptor lock(::open(lock_file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+  if (!lock.is_open()) Refuse(path, std::strerror(errno));
+  if (::flock(lock.number(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno == EWOULDBLOCK) RefuseInUse(path, lock_file);
+    Refuse(path, std::strerror(errno));
+  }
+  const std::string pid = fmt::format("{}", ::getpid());
+  if (::ftruncate(lock.number(), 0) != 0 ||
+      ::write(lock.number(), pid.data(), pid.size()) != static_cast<ssize_t>(pid.size())) {
+    Refuse(path, std::strerror(errno));
+  }
+  return lock;
 }
 
 }  // namespace
 
 RunFolder::RunFolder(const std::filesystem::path& path) : path_(path) {
-  MakeFolder(path_);
-  const auto lock_file = path_ / "lock";
-  lock_ = open(lock_file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock_ < 0) Refuse(path_, fmt::format("the folder cannot be written: {}", strerror(errno)));
-  char holder[32] = {};
-  if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-    (void)!read(lock_, holder, sizeof holder - 1);
-    close(lock_);
-    throw Error(ExitCode::kRunFolderInUse,
-                fmt::format("{}: this run folder is in use by process {}", path_.string(), holder));
-  }
-  const std::string pid = std::to_string(getpid());
-  if (ftruncate(lock_, 0) != 0 || write(lock_, pid.data(), pid.size()) < 0) {
-    const int reason = errno;
-    close(lock_);
-    Refuse(path_, fmt::format("the folder cannot be written: {}", strerror(reason)));
-  }
-  MakeFolder(logs());
-  MakeFolder(checkpoints());
+  MakeWritable(path_);
+  lock_ = Lock(path_);
+  MakeWritable(logs());
+  MakeWritable(checkpoints());
 }
 
-RunFolder::~RunFolder() { close(lock_); }
-
-std::filesystem::path RunFolder::DefaultPath(const std::string& map_name, std::time_t now) {
+std::string RunFolder::DefaultName(const std::string& map, std::time_t now) {
   std::tm local{};
-  localtime_r(&now, &local);
-  char stamp[32];
-  std::strftime(stamp, sizeof stamp, "%Y%m%d-%H%M%S", &local);
-  const std::string stem =
-      fmt::format("{}-{}", std::filesystem::path(map_name).stem().string(), stamp);
-  std::filesystem::path path = std::filesystem::path("runs") / stem;
-  std::error_code error;
-  for (int n = 2; std::filesystem::exists(path, error); ++n) {
-    path = std::filesystem::path("runs") / fmt::format("{}-{}", stem, n);
+  ::localtime_r(&now, &local);
+  char time[32];
+  std::strftime(time, sizeof time, "%Y%m%d-%H%M%S", &local);
+  return std::filesystem::path(map).stem().string() + "-" + time;
+}
+
+std::filesystem::path RunFolder::DefaultPath(const std::string& map, std::time_t now) {
+  const std::filesystem::path first = std::filesystem::path("runs") / DefaultName(map, now);
+  std::filesystem::path path = first;
+  std::error_code ignored;  // what cannot be looked at is refused when the folder is made
+  for (int n = 2; std::filesystem::exists(path, ignored); ++n) {
+    path = first.string() + fmt::format("-{}", n);
   }
   return path;
-}
-
-void WriteWholeFile(const std::filesystem::path& path, const std::string& text) {
-  const std::string temporary = fmt::format("{}.{}.tmp", path.string(), getpid());
-  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) Refuse(path, fmt::format("cannot be written: {}", strerror(errno)));
-  std::size_t written = 0;
-  bool good = true;
-  while (good && written < text.size()) {
-    const ssize_t count = write(file, text.data() + written, text.size() - written);
-    good = count > 0;
-    if (good) written += static_cast<std::size_t>(count);
-  }
-  good = good && fsync(file) == 0;
-  int reason = errno;
-  close(file);
-  if (good && rename(temporary.c_str(), path.c_str()) != 0) {
-    reason = errno;
-    good = false;
-  }
-  if (!good) {
-    unlink(temporary.c_str());
-    Refuse(path, fmt::format("cannot be written: {}", strerror(reason)));
-  }
 }
 
 }  // namespace ronda
