@@ -279,16 +279,15 @@ std::string Config::GetString(const std::string& key, const std::string& default
 std::vector<int> Config::GetIntList(const std::string& key, const std::vector<int>& default_value,
                                     int least, int most, const std::string& doc) {
   const Range<std::int64_t> range{least, most};
-  const std::string rule = fmt::format("each {} to {}", least, most);
   IntList value(default_value.begin(), default_value.end());
   for (const std::int64_t element : value) {
     RONDA_CHECK(range.Contains(element), "{} = {}", key, ToToml(default_value));
   }
   if (const auto* given = Find<IntList>(key, "must be a list of whole numbers")) value = *given;
   for (const std::int64_t element : value) {
-    if (!range.Contains(element)) Refuse(key, "must be " + rule);
+    if (!range.Contains(element)) Refuse(key, "each must be " + range.Text());
   }
-  Register({key, ToToml(value), ToToml(default_value), rule, doc});
+  Register({key, ToToml(value), ToToml(default_value), "each " + range.Text(), doc});
   return {value.begin(), value.end()};
 }
 

@@ -68,7 +68,7 @@ TEST_CASE("A value that breaks its rule is refused with place, key, rule and val
   CHECK_THROWS_WITH(sut.GetString("dqn.loss", "mse", {"huber", "mse"}, ""),
                     "config.toml:5:1: dqn.loss: must be one of huber, mse, got \"l1\"");
   CHECK_THROWS_WITH(sut.GetIntList("dqn.hidden", {64}, 1, 99, ""),
-                    "config.toml:6:1: dqn.hidden: must be each 1 to 99, got [64, 0]");
+                    "config.toml:6:1: dqn.hidden: each must be 1 to 99, got [64, 0]");
   CHECK_THROWS_WITH(sut.GetString("dqn.name", "", {}, ""),
                     "config.toml:7:1: dqn.name: must be text, got 3");
   CHECK_THROWS_AS(BatchSize(sut), InputError);
@@ -141,14 +141,14 @@ TEST_CASE("A quoted key that could pass for a section and a key is refused") {
       "config.toml:1:1: dqn.batch_size: must be letters, digits, _ and -, got \"dqn.batch_size\"");
 }
 
-TEST_CASE("--set wins over the file and over an earlier --set") {
+TEST_CASE("An assignment by --set wins over the file and over an earlier --set") {
   Config sut = Parsed("dqn.batch_size = 8\n");
   sut.Set("dqn.batch_size=16");
   sut.Set("dqn.batch_size = 32");
   CHECK(BatchSize(sut) == 32);
 }
 
-TEST_CASE("--set takes TOML values, and bare words as text") {
+TEST_CASE("An assignment by --set takes TOML values, and bare words as text") {
   Config sut;
   sut.Set("a=[1, 2]");
   sut.Set("b=maps/a.graph");
@@ -227,7 +227,7 @@ TEST_CASE("A configuration is read from a file, and one that is not there gives 
   WriteWholeFile(folder / "config.toml", "dqn.batch_size = 0\n");
   Config sut = Config::FromFile(folder / "config.toml");
   CHECK_THROWS_WITH(BatchSize(sut), (folder / "config.toml").string() +
-                                        ":1:1: dqn.batch_size: must be 1 to 65536, got 0");
+                                        ":1:5: dqn.batch_size: must be 1 to 65536, got 0");
   CHECK_THROWS_WITH(Config::FromFile("/no/such.toml"),
                     "/no/such.toml: cannot be read: No such file or directory");
 }

@@ -1,10 +1,9 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
+#include <memory>
 
 #include "common/base/error.h"
 #include "common/run/child_process.h"
@@ -135,6 +134,15 @@ TEST_CASE("A domain is taken for other processes too, and free again after its r
   CHECK(take() == static_cast<int>(ExitCode::kTransport));
   held.reset();
   CHECK(take() == 0);
+}
+
+TEST_CASE("A child does not hold its parent's domain") {
+  const TemporaryFolder folder;
+  auto first = std::make_unique<RunDomain>(5);
+  const int domain = first->domain();
+  const ChildProcess child("/bin/sh", {"-c", "exec tail -f /dev/null"}, folder / "log");
+  first.reset();
+  CHECK_NOTHROW(RunDomain(0, {domain, domain}));
 }
 
 TEST_CASE("Where all domains are taken there is an error") {
