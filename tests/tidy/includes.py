@@ -87,8 +87,8 @@ def check_levels(root):
                 yield f"{place}: must be the path of a file, from the root of the project"
             elif target != library and allowed is not None and target not in allowed:
                 yield f"{place}: {library} must not include {target}"
-            elif target in FREE and target != library and library != "tests":
-                yield f"{place}: only tests may include {target}"
+            elif target == "tests" and library not in ("tests", "bench"):
+                yield f"{place}: only tests and benchmarks may include tests"
 
 
 def generated_headers(root):

@@ -58,8 +58,10 @@ class Levels(unittest.TestCase):
         self.expect("actor/actor_config.h", "common/run/b.h", 0)
         self.expect("actor/actor.h", "common/run/b.h", 1)
 
-    def test_nothing_but_tests_includes_tests(self):
-        self.expect("bench/a.cpp", "tests/b.h", 1)
+    def test_only_tests_and_benchmarks_include_tests(self):
+        self.expect("bench/a.cpp", "tests/b.h", 0)
+        self.expect("deploy/a.cpp", "tests/b.h", 1)
+        self.expect("actor/a.cpp", "tests/b.h", 1)
 
     def test_a_file_must_exist_and_be_named_from_the_root(self):
         files = {"common/base/a.cpp": include("b.h"), "common/base/b.h": CONTRACT}
