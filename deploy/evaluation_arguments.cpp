@@ -9,6 +9,7 @@
 #include "common/base/error.h"
 #include "common/evaluation/policy_strategy.h"
 #include "common/run/paths.h"
+#include "deploy/find_policy.h"
 
 namespace ronda {
 namespace {
@@ -68,8 +69,9 @@ EvaluationMap::EvaluationMap(const EvaluationArguments& arguments)
 
 std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,
                                          const StrategyContext& context) {
-  return contestant.kind == ContestantKind::kPolicy ? MakePolicyStrategy(contestant.name, context)
-                                                    : MakeStrategy(contestant.name, context);
+  return contestant.kind == ContestantKind::kPolicy
+             ? MakePolicyStrategy(ReadPolicyFile(FindPolicyFile(contestant.name)), context)
+             : MakeStrategy(contestant.name, context);
 }
 
 std::optional<EvaluationResult> EvaluateContestant(const Contestant& contestant,

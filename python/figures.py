@@ -3,7 +3,8 @@
   python3 python/figures.py learning-curve RUN --out FILE.svg
   python3 python/figures.py traffic MAP.json TRACE.csv --out FILE.svg
 
-Reads files only; never talks to a running cluster. The format follows from the name of the output (svg, png, pdf).
+Reads files only; never talks to a running cluster. The format follows from the name of the
+output (svg, png, pdf).
 """
 
 import argparse
@@ -19,7 +20,7 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first
 
 
 def draw_learning_curve(run: pathlib.Path, out: pathlib.Path) -> None:
-    """AGI of the policy on its evaluation seeds against training time, with the best classical strategy and the bound."""
+    """AGI on the evaluation seeds against training time, with best classical strategy and bound."""
     evaluations, summary = [], json.loads((run / "summary.json").read_text())
     with open(run / "metrics.jsonl", encoding="utf-8") as lines:
         for line in lines:
@@ -33,7 +34,7 @@ def draw_learning_curve(run: pathlib.Path, out: pathlib.Path) -> None:
     axes.plot(seconds, agi, marker=".", color="#1f6fb2", label="policy in training")
     best_classical = summary["best_classical_agi_s"]["mean"]
     axes.axhline(best_classical, color="#b2561f", linestyle="--",
-                 label=f"best classical strategy ({summary['best_classical']}), {best_classical:.2f} s")
+                 label=f"best classical: {summary['best_classical']}, {best_classical:.2f} s")
     bound = summary["lower_bound_agi_s"]
     axes.axhline(bound, color="#555555", linestyle=":", label=f"lower bound, {bound:.2f} s")
     axes.set_ylim(0.95 * bound, max(1.6 * best_classical, 1.05 * min(agi)))
@@ -47,7 +48,7 @@ def draw_learning_curve(run: pathlib.Path, out: pathlib.Path) -> None:
 
 
 def draw_traffic(map_file: pathlib.Path, trace: pathlib.Path, out: pathlib.Path) -> None:
-    """The map; an edge is the wider, and a vertex the darker, the more often it was used in the trace's first episode."""
+    """The map: wide edges and pale vertices were used most in the trace's first episode."""
     graph = json.loads(map_file.read_text())
     positions = {str(node["id"]): node["pos"] for node in graph["nodes"]}
     traversals, visits = collections.Counter(), collections.Counter()
@@ -75,7 +76,8 @@ def draw_traffic(map_file: pathlib.Path, trace: pathlib.Path, out: pathlib.Path)
                   solid_capstyle="round")
     xs, ys = zip(*positions.values())
     interval_s = [end_s / max(visits[vertex], 1) for vertex in positions]
-    dots = axes.scatter(xs, ys, c=interval_s, cmap="magma_r", s=60, edgecolors="black", linewidths=0.6, zorder=2)
+    dots = axes.scatter(xs, ys, c=interval_s, cmap="magma_r", s=60, edgecolors="black",
+                        linewidths=0.6, zorder=2)
     figure.colorbar(dots, ax=axes, label="mean time between visits (s)", shrink=0.8)
     axes.set_aspect("equal")
     axes.invert_yaxis()  # maps count y downwards, as pictures do
@@ -87,7 +89,8 @@ def draw_traffic(map_file: pathlib.Path, trace: pathlib.Path, out: pathlib.Path)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
     curve = commands.add_parser("learning-curve")
     curve.add_argument("run", type=pathlib.Path)

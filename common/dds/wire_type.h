@@ -6,6 +6,8 @@
 // exists), so that it reaches the codec and is refused and counted there. (The library serialises
 // into payloads of the type's largest size, whatever is sent: qos.h keeps few of them at first, and
 // pages that are not written to are never made.)
+#include <fastdds/rtps/common/SerializedPayload.h>
+
 #include <exception>
 
 namespace ronda::dds {

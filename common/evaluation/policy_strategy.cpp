@@ -6,7 +6,6 @@
 #include "common/base/error.h"
 #include "common/environments/observation_encoder.h"
 #include "common/policies/q_policy.h"
-#include "common/run/paths.h"
 
 namespace ronda {
 namespace {
@@ -56,30 +55,6 @@ class PolicyStrategy final : public Strategy {
 };
 
 }  // namespace
-
-std::filesystem::path FindPolicyFile(const std::string& policy) {
-  constexpr std::string_view kLatest = "@latest";
-  std::error_code error;
-  if (std::filesystem::is_regular_file(policy, error)) return policy;
-  const bool latest = policy.ends_with(kLatest);
-  const std::filesystem::path folder =
-      latest ? policy.substr(0, policy.size() - kLatest.size()) : policy;
-  if (std::filesystem::is_directory(folder, error)) {
-    const auto checkpoints = folder / "checkpoints";
-    for (const char* name : {"best.ronda", "latest.ronda"}) {
-      if (latest && std::string_view(name) == "best.ronda") continue;
-      if (std::filesystem::is_regular_file(checkpoints / name, error)) return checkpoints / name;
-    }
-    throw InputError(fmt::format("{}: this folder holds no trained policy (checkpoints/{}.ronda)",
-                                 folder.string(), latest ? "latest" : "best"));
-  }
-  const auto shipped = PoliciesFolder() / (policy + ".ronda");
-  if (std::filesystem::is_regular_file(shipped, error)) return shipped;
-  throw InputError(
-      fmt::format("no policy '{}': neither a policy file, nor a run folder, nor the name of a "
-                  "policy that ships",
-                  policy));
-}
 
 std::unique_ptr<Strategy> MakePolicyStrategy(const PolicyFile& policy,
                                              const StrategyContext& context) {

@@ -13,8 +13,19 @@ namespace {
 using std::chrono::seconds;
 
 std::vector<std::string> TrainFourNodes(const std::string& decisions) {
-  return {"train", "--map", "4nodes", "--agents", "2",    "--actors", "2",
-          "--run", "{run}", "--set",  "replay.min_size=1000", "--decisions", decisions};
+  return {"train",
+          "--map",
+          "4nodes",
+          "--agents",
+          "2",
+          "--actors",
+          "2",
+          "--run",
+          "{run}",
+          "--set",
+          "replay.min_size=1000",
+          "--decisions",
+          decisions};
 }
 
 /// What must hold of every run's summary, whatever happened.
@@ -77,7 +88,9 @@ TEST_CASE("A cluster learns the optimal patrol of the 4-node map with two robots
         summary["weights_version"].get<std::uint64_t>());
 }
 
-TEST_CASE("A run goes on after kill -9 of an actor, the replay and the learner, and counts what it cost") {
+TEST_CASE(
+    "A run goes on after kill -9 of an actor, the replay and the learner, and counts what it "
+    "cost") {
   const TemporaryFolder temporary;
   LaunchedRun run(temporary.path() / "run", TrainFourNodes("1000000000"));
   std::uint64_t stored = 0;

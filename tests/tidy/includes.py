@@ -62,11 +62,10 @@ def may_include(source, library):
     if library in FREE:
         return None
     allowed = all_below(library)
-    if not library.startswith("common/"):
-        if source.name == "main.cpp":  # a main is its library + dds + run
-            return allowed | {"common/dds", "common/run"}
-        if re.search(r"_config\.(h|cpp)$", source.name):  # a role reads its own configuration
-            return allowed | {"common/run"}
+    if not library.startswith("common/") and source.name == "main.cpp":
+        return allowed | {"common/dds", "common/run"}  # a main is its library + dds + run
+    if re.search(r"_config\.(h|cpp)$", source.name):  # reads its part of the configuration
+        return allowed | {"common/run"}
     return allowed
 
 

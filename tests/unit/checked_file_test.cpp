@@ -9,13 +9,12 @@
 
 #include "common/base/bounded_archive.h"
 #include "common/base/error.h"
-#include "tests/unit/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace ronda {
 namespace {
 
 using Catch::Matchers::Contains;
-using testing::TemporaryFolder;
 
 constexpr std::string_view kMagic = "RONDATST";
 

@@ -9,15 +9,14 @@
 #include "common/base/error.h"
 #include "common/policies/policy_file.h"
 #include "common/policies/q_policy.h"
+#include "tests/temporary_folder.h"
 #include "tests/unit/gradient_check.h"
-#include "tests/unit/temporary_folder.h"
 
 namespace ronda {
 namespace {
 
 using Catch::Matchers::Contains;
 using testing::RandomVector;
-using testing::TemporaryFolder;
 
 /// Q(s, a) = s·w[:, a] + b[a]
 NetworkSpec Linear(int num_actions) {

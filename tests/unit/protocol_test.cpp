@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "tests/temporary_folder.h"
 #include "tests/unit/evaluation_map.h"
-#include "tests/unit/temporary_folder.h"
 
 namespace ronda {
 namespace {
@@ -156,7 +156,7 @@ Recomputed Recompute(const TraceFile& trace, int episode, double warmup_s,
 
 TEST_CASE("AGI, WI and final idleness recomputed from the trace are those reported") {
   const EvaluationMap map("cumberland");
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   for (const char* strategy : {"cr", "cyclic"}) {
     CAPTURE(strategy);
     const auto path = folder.path() / (std::string(strategy) + ".csv");
@@ -207,7 +207,7 @@ std::vector<int> StartsProbe::vertices_;
 
 TEST_CASE("Every strategy sees the same starts in the same episode") {
   const EvaluationMap map("cumberland");
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const EvaluationOptions options{.episodes = 3, .seed = 5, .agents = 4, .threads = 1};
   StartsProbe::vertices_.clear();
   REQUIRE(Evaluate(

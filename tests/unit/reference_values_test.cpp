@@ -1,5 +1,6 @@
-// Reference values of the steady protocol that two independent simulators agree on (docs/evaluation.md):
-// mean AGI of 400 seeds in px at 1 px/s, and the standard deviation of one episode.
+// Reference values of the steady protocol that two independent simulators agree on
+// (docs/evaluation.md): mean AGI of 400 seeds in px at 1 px/s, and the standard deviation of one
+// episode.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>

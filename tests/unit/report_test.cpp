@@ -10,7 +10,7 @@
 #include "common/base/error.h"
 #include "common/evaluation/comparison.h"
 #include "common/evaluation/output_file.h"
-#include "tests/unit/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace ronda {
 namespace {
@@ -125,7 +125,7 @@ TEST_CASE("Comparison: the table pairs ratios by episode, its JSON is a list in 
 }
 
 TEST_CASE("An output file appears whole, or not at all") {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto path = folder.path() / "result.json";
   {
     OutputFile abandoned(path);
@@ -144,7 +144,7 @@ TEST_CASE("An output file appears whole, or not at all") {
 }
 
 TEST_CASE("A path that cannot be written is refused at once, with path and reason") {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto path = folder.path() / "missing" / "result.json";
 
   CHECK_THROWS_WITH(OutputFile(path),

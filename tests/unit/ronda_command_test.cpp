@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/unit/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace ronda {
 namespace {
@@ -38,7 +38,7 @@ std::string Evaluate(const std::string& arguments) {
 }
 
 TEST_CASE("evaluate prints what it measured, and writes JSON and trace") {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto json_path = (folder.path() / "r.json").string();
   const auto trace_path = (folder.path() / "t.csv").string();
 
@@ -58,7 +58,7 @@ TEST_CASE("evaluate prints what it measured, and writes JSON and trace") {
 }
 
 TEST_CASE("compare puts all strategies into one table and one list") {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto json_path = (folder.path() / "r.json").string();
 
   const auto result = Ronda("compare --map " RONDA_SOURCE_DIR
