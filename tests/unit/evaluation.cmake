@@ -4,5 +4,5 @@ ronda_test(evaluation_test
   LINKS ronda::evaluation nlohmann_json::nlohmann_json)
 ronda_test(ronda_command_test
   SOURCES ronda_command_test.cpp
-  LINKS nlohmann_json::nlohmann_json)
+  LINKS ronda::base nlohmann_json::nlohmann_json)
 add_dependencies(ronda_command_test ronda)
