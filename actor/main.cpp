@@ -27,7 +27,8 @@ namespace {
 using std::chrono::milliseconds;
 
 ProcessReport Report(const RoleOptions& options, const Actor& actor,
-                     const dds::ExperienceWriter& sink, bool throttled) {
+                     const dds::ExperienceWriter& sink, const dds::WeightsReader& weights,
+                     bool throttled) {
   return {.role = "actor",
           .index = options.index,
           .incarnation = options.incarnation,
@@ -36,7 +37,7 @@ ProcessReport Report(const RoleOptions& options, const Actor& actor,
           .metrics = {{"decisions", static_cast<double>(actor.counters().decisions)},
                       {"sent", static_cast<double>(sink.sent())},
                       {"weights_version", static_cast<double>(actor.counters().weights_version)},
-                      {"weights_refused", static_cast<double>(actor.counters().weights_refused)},
+                      {"messages_refused", static_cast<double>(weights.messages_refused())},
                       {"epsilon", actor.epsilon()}}};
 }
 
@@ -83,12 +84,13 @@ int Body(int argc, char** argv, std::stop_token stop) {
     sink.Poll();
     const bool throttled = decisions == 0;
     if (report_due.Due(std::chrono::steady_clock::now())) {
-      reports.Send(Report(options, actor, sink, throttled));
+      reports.Send(Report(options, actor, sink, weights, throttled));
     }
+    for (const auto& refusal : weights.TakeRefusals()) LogWarning("{}", refusal);
     if (throttled) sink.Wait(milliseconds(20));
   }
   const bool confirmed = sink.Drain(milliseconds(800));
-  reports.Send(Report(options, actor, sink, false));
+  reports.Send(Report(options, actor, sink, weights, false));
   if (!confirmed)
     LogWarning("stopped before everything was confirmed: {} of {} sent", sink.confirmed(),
                sink.sent());

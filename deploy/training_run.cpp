@@ -7,6 +7,7 @@
 #include <chrono>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -33,6 +34,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
+constexpr std::chrono::seconds kQuiet{2};             // then the line says who waits for what
+constexpr std::chrono::seconds kLongestSilence{120};  // without any transition: the run ends
 constexpr milliseconds kStopGrace{1300};              // twice, and some judging: all within 3 s
 constexpr std::uint64_t kEvaluationSeed = 1'000'003;  // far from the seeds that are reported
 
@@ -93,6 +96,9 @@ class Session {
   void Listen();
   void TakeReport(const ProcessReport& report);
   std::optional<int> Supervise(Cluster& cluster, Clock::time_point now);
+  std::string WhoWaits() const;
+  /// The exit status of a run in which nothing moves any more.
+  std::optional<int> CheckProgress(Clock::time_point now);
   void UpdateState(const Cluster& cluster, Clock::time_point now);
   void Show(Clock::time_point now);
   void LogMetrics();
@@ -120,7 +126,8 @@ class Session {
   std::optional<Clock::time_point> first_transition_;
   ReplayStatus status_;
   double policy_lag_versions_ = 0.0;
-  std::string learner_state_, replay_state_;
+  Clock::time_point last_transition_ = Clock::now();
+  std::map<std::string, std::string> states_;  // what each process said last of itself
   std::optional<double> agi_s_;
   // For rates: what the last line showed.
   Clock::time_point shown_ = Clock::now();
@@ -140,6 +147,8 @@ void Session::TakeReport(const ProcessReport& report) {
   const auto count = [&](std::string_view name) {
     return static_cast<std::uint64_t>(metric(name));
   };
+  ledger_.OnRefusals(report.incarnation, count("messages_refused"));
+  states_[fmt::format("{} {}", report.role, report.index)] = report.state;
   if (report.role == "actor") {
     ledger_.OnActorReport(report.index, report.incarnation, count("sent"), count("decisions"));
   } else if (report.role == "learner") {
@@ -147,9 +156,6 @@ void Session::TakeReport(const ProcessReport& report) {
     state_.totals.weights_version =
         std::max(state_.totals.weights_version, count("weights_version"));
     policy_lag_versions_ = metric("policy_lag_versions");
-    learner_state_ = report.state;
-  } else if (report.role == "replay") {
-    replay_state_ = report.state;
   }
 }
 
@@ -160,8 +166,24 @@ void Session::Listen() {
   while (statuses_.Take(status)) {
     ledger_.OnStatus(status);
     if (status.stored > 0 && !first_transition_) first_transition_ = Clock::now();
+    if (status.stored != status_.stored) last_transition_ = Clock::now();
     status_ = std::move(status);
   }
+}
+
+std::string Session::WhoWaits() const {
+  std::string text;
+  for (const auto& [process, state] : states_) {
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", process, state);
+  }
+  return text.empty() ? "no process has reported yet" : text;
+}
+
+std::optional<int> Session::CheckProgress(Clock::time_point now) {
+  if (now - last_transition_ < kLongestSilence) return std::nullopt;
+  line_.Event(fmt::format("no transition was stored for {} s, giving up; {}",
+                          std::chrono::seconds(kLongestSilence).count(), WhoWaits()));
+  return static_cast<int>(ExitCode::kTransport);
 }
 
 std::optional<int> Session::Supervise(Cluster& cluster, Clock::time_point now) {
@@ -218,8 +240,8 @@ void Session::Show(Clock::time_point now) {
   }
   if (!first_transition_) {
     figures.waiting = "waiting for the first transitions";
-  } else if (learner_state_.starts_with("waiting") && replay_state_.starts_with("waiting")) {
-    figures.waiting = fmt::format("learner {}, replay {}", learner_state_, replay_state_);
+  } else if (now - last_transition_ > kQuiet) {
+    figures.waiting = WhoWaits();
   }
   line_.Show(figures);
 }
@@ -270,6 +292,7 @@ int Session::Run(std::stop_token stop) {
     Listen();
     const auto now = Clock::now();
     failure = Supervise(cluster, now);
+    if (!failure) failure = CheckProgress(now);
     UpdateState(cluster, now);
     const double progress = Progress(setup_.run(), state_.training_s, state_.totals.decisions);
     if (progress >= 1.0) break;

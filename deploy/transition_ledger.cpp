@@ -22,6 +22,10 @@ void TransitionLedger::OnActorReport(std::uint32_t index, std::uint64_t incarnat
   actor.decisions = std::max(actor.decisions, decisions);
 }
 
+void TransitionLedger::OnRefusals(std::uint64_t incarnation, std::uint64_t messages) {
+  refused_[incarnation] = std::max(refused_[incarnation], messages);
+}
+
 void TransitionLedger::OnActorDeath(std::uint32_t index, std::uint64_t incarnation) {
   actors_[{index, incarnation}].dead = true;
 }
@@ -45,6 +49,7 @@ RunTotals TransitionLedger::Totals() const {
     totals.messages_refused += replay.messages_refused;
     if (replay.dead) totals.forgotten += replay.size;
   }
+  for (const auto& [incarnation, messages] : refused_) totals.messages_refused += messages;
   return totals;
 }
 

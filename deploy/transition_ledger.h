@@ -33,6 +33,8 @@ class TransitionLedger {
   void OnStatus(const ReplayStatus& status);
   void OnActorReport(std::uint32_t actor, std::uint64_t incarnation, std::uint64_t sent,
                      std::uint64_t decisions);
+  /// Messages that a process other than the replay has refused, by its start.
+  void OnRefusals(std::uint64_t incarnation, std::uint64_t messages);
   void OnActorDeath(std::uint32_t actor, std::uint64_t incarnation);
   /// The replay of this incarnation died without being asked to stop: what it held is forgotten.
   void OnReplayDeath(std::uint64_t incarnation);
@@ -57,6 +59,7 @@ class TransitionLedger {
   RunTotals before_;
   std::map<std::pair<std::uint32_t, std::uint64_t>, Actor> actors_;
   std::map<std::uint64_t, Replay> replays_;
+  std::map<std::uint64_t, std::uint64_t> refused_;  // messages, by incarnation
 };
 
 }  // namespace ronda

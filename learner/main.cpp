@@ -52,7 +52,7 @@ void Save(const Dqn& dqn, const Learner& learner, const RunConfig& run,
 }
 
 ProcessReport Report(const RoleOptions& options, const Dqn& dqn, const Learner& learner,
-                     bool waiting) {
+                     const dds::LearnerEndpoint& batches, bool waiting) {
   const UpdateStats& last = learner.last_update();
   return {.role = "learner",
           .index = 0,
@@ -62,6 +62,7 @@ ProcessReport Report(const RoleOptions& options, const Dqn& dqn, const Learner& 
           .metrics = {{"updates", static_cast<double>(dqn.updates())},
                       {"weights_version", static_cast<double>(learner.weights_version())},
                       {"policy_lag_versions", learner.policy_lag_versions()},
+                      {"messages_refused", static_cast<double>(batches.messages_refused())},
                       {"loss", last.loss},
                       {"mean_q", last.mean_q},
                       {"gradient_norm", last.gradient_norm}}};
@@ -101,12 +102,13 @@ int Body(int argc, char** argv, std::stop_token stop) {
     if (const RunControl* news = control.Newest()) dqn.set_progress(news->progress);
     const int updates = learner.Step(std::chrono::steady_clock::now(), milliseconds(20));
     const auto now = std::chrono::steady_clock::now();
-    if (report_due.Due(now)) reports.Send(Report(options, dqn, learner, updates == 0));
+    if (report_due.Due(now)) reports.Send(Report(options, dqn, learner, batches, updates == 0));
+    for (const auto& refusal : batches.TakeRefusals()) LogWarning("{}", refusal);
     if (checkpoint_due.Due(now)) Save(dqn, learner, run, checkpoints);
   }
   learner.Publish(std::chrono::steady_clock::now());
   Save(dqn, learner, run, checkpoints);
-  reports.Send(Report(options, dqn, learner, false));
+  reports.Send(Report(options, dqn, learner, batches, false));
   LogInfo("stopped after update {}, checkpoint written", dqn.updates());
   return 0;
 }

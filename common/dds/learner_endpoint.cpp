@@ -87,6 +87,8 @@ void LearnerEndpoint::Push(const PriorityUpdate& update) {
   [[maybe_unused]] const bool sent = impl_->priorities.Write(update);
 }
 
+std::uint64_t LearnerEndpoint::messages_refused() const { return impl_->refusals.count(); }
+
 std::vector<std::string> LearnerEndpoint::TakeRefusals() { return impl_->refusals.Take(); }
 
 }  // namespace ronda::dds

@@ -29,6 +29,7 @@ class LearnerEndpoint final : public BatchSource, public PrioritySink {
 
   const SampledBatch* Next(std::chrono::milliseconds at_most) override;
   void Push(const PriorityUpdate& update) override;
+  std::uint64_t messages_refused() const;
   std::vector<std::string> TakeRefusals();
 
  private:
