@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "common/base/error.h"
@@ -19,6 +17,7 @@
 #include "common/dds/weights_reader.h"
 #include "common/policies/network_config.h"
 #include "common/run/every.h"
+#include "common/run/metrics_log.h"
 #include "common/run/paths.h"
 #include "common/run/run_domain.h"
 #include "common/run/whole_file.h"
@@ -84,7 +83,7 @@ class Session {
         weights_(participant_, ArchitectureHash(NetworkOf(setup.run()))),
         evaluator_config_(EvaluatorConfig(setup, folder)),
         evaluator_(evaluator_config_, setup.context(), weights_, before_.best),
-        metrics_(folder.metrics_file(), std::ios::app) {
+        metrics_(folder.metrics_file(), "ronda") {
     for (const Role role : {Role::kActor, Role::kReplay, Role::kLearner}) {
       state_.restarts.try_emplace(RoleName(role), 0);
     }
@@ -119,7 +118,7 @@ class Session {
   dds::WeightsReader weights_;  // the evaluator's thread uses it
   TrainingEvaluatorConfig evaluator_config_;
   TrainingEvaluator evaluator_;
-  std::ofstream metrics_;
+  MetricsLog metrics_;
   ProgressLine line_;
 
   Clock::time_point began_ = Clock::now();
@@ -247,26 +246,22 @@ void Session::Show(Clock::time_point now) {
 }
 
 void Session::LogMetrics() {
-  using Json = nlohmann::ordered_json;
+  const auto whole = [](std::uint64_t value) { return static_cast<std::int64_t>(value); };
   for (const PolicyEvaluation& evaluation : evaluator_.TakeNew()) {
     agi_s_ = evaluation.agi_s;
-    metrics_ << Json{{"kind", "evaluation"},
-                     {"training_s", state_.training_s},
-                     {"progress", evaluation.progress},
-                     {"updates", evaluation.updates},
-                     {"agi_s", evaluation.agi_s}}
-             << '\n';
+    metrics_.Append(state_.training_s, {{"kind", "evaluation"},
+                                        {"progress", evaluation.progress},
+                                        {"updates", whole(evaluation.updates)},
+                                        {"agi_s", evaluation.agi_s}});
   }
-  metrics_ << Json{{"kind", "progress"},
-                   {"training_s", state_.training_s},
-                   {"decisions", state_.totals.decisions},
-                   {"updates", state_.updates},
-                   {"decisions_per_s", decisions_per_s_},
-                   {"updates_per_s", updates_per_s_},
-                   {"replay_size", status_.size},
-                   {"policy_lag_versions", policy_lag_versions_},
-                   {"transitions_stored", state_.totals.stored}}
-           << std::endl;
+  metrics_.Append(state_.training_s, {{"kind", "progress"},
+                                      {"decisions", whole(state_.totals.decisions)},
+                                      {"updates", whole(state_.updates)},
+                                      {"decisions_per_s", decisions_per_s_},
+                                      {"updates_per_s", updates_per_s_},
+                                      {"replay_size", whole(status_.size)},
+                                      {"policy_lag_versions", policy_lag_versions_},
+                                      {"transitions_stored", whole(state_.totals.stored)}});
 }
 
 int Session::Run(std::stop_token stop) {

@@ -26,7 +26,7 @@ def draw_learning_curve(run: pathlib.Path, out: pathlib.Path) -> None:
         for line in lines:
             record = json.loads(line)
             if record.get("kind") == "evaluation":
-                evaluations.append((record["training_s"], record["agi_s"]))
+                evaluations.append((record["time_s"], record["agi_s"]))
     if not evaluations:
         raise SystemExit(f"{run}/metrics.jsonl: no evaluation has been written yet")
     figure, axes = plt.subplots(figsize=(7, 4))
