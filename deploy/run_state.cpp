@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/base/error.h"
-#include "common/run/whole_file.h"
+#include "common/base/whole_file.h"
 
 namespace ronda {
 

@@ -6,9 +6,9 @@
 #include <ctime>
 #include <memory>
 
+#include "common/base/whole_file.h"
 #include "common/run/duration.h"
 #include "common/run/run_folder.h"
-#include "common/run/whole_file.h"
 #include "deploy/train_setup.h"
 #include "deploy/training_run.h"
 

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "common/base/error.h"
+#include "common/base/whole_file.h"
 #include "common/dds/control_writer.h"
 #include "common/dds/participant.h"
 #include "common/dds/report_reader.h"
@@ -20,7 +21,6 @@
 #include "common/run/metrics_log.h"
 #include "common/run/paths.h"
 #include "common/run/run_domain.h"
-#include "common/run/whole_file.h"
 #include "deploy/cluster.h"
 #include "deploy/progress_line.h"
 #include "deploy/summary.h"

@@ -6,13 +6,14 @@
 #include <unistd.h>
 #include <zlib.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
 #include "common/base/check.h"
 #include "common/base/error.h"
+#include "common/base/file_descriptor.h"
+#include "common/base/whole_file.h"
 
 namespace ronda {
 namespace {
@@ -30,23 +31,6 @@ constexpr std::size_t kHeaderSize = kCrcAt + 4;
 [[noreturn]] void RefuseErrno(const std::filesystem::path& path, const char* action) {
   Refuse(path, fmt::format("cannot {}: {}", action, std::strerror(errno)));
 }
-
-/// Closes on every way out.
-class Descriptor {
- public:
-  Descriptor(const std::filesystem::path& path, int flags)
-      : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0644)) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  int get() const { return fd_; }
-  bool ok() const { return fd_ >= 0; }
-
- private:
-  int fd_;
-};
 
 /// The low `count` bytes of `value`, the lowest first.
 std::string LittleEndian(std::uint64_t value, int count) {
@@ -69,26 +53,17 @@ std::uint32_t Crc(std::string_view header_before_crc, std::string_view payload) 
   return static_cast<std::uint32_t>(add(add(0, header_before_crc), payload));
 }
 
-bool WriteAll(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(fd, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
-}
-
 std::string ReadWhole(const std::filesystem::path& path) {
-  const Descriptor file(path, O_RDONLY | O_NONBLOCK);  // a pipe must not make us wait
-  if (!file.ok()) RefuseErrno(path, "open");
+  // Not blocking: a pipe must not make us wait.
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (!file.is_open()) RefuseErrno(path, "open");
   struct stat status = {};
-  if (::fstat(file.get(), &status) != 0) RefuseErrno(path, "inspect");
+  if (::fstat(file.number(), &status) != 0) RefuseErrno(path, "inspect");
   if (!S_ISREG(status.st_mode)) Refuse(path, "not a regular file");
   std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
   std::size_t filled = 0;
   while (filled < bytes.size()) {
-    const ssize_t count = ::read(file.get(), bytes.data() + filled, bytes.size() - filled);
+    const ssize_t count = ::read(file.number(), bytes.data() + filled, bytes.size() - filled);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) RefuseErrno(path, "read");
     if (count == 0) break;  // it shrank meanwhile: the size check below sees it
@@ -109,24 +84,11 @@ void WriteCheckedFile(const std::filesystem::path& path, std::string_view magic,
   header += LittleEndian(payload.size(), 8);
   header += LittleEndian(Crc(header, payload), 4);
 
-  std::filesystem::path temporary = path;
-  temporary += fmt::format(".{}.tmp", ::getpid());
-  const auto give_up = [&](const char* action) {
-    const int error = errno;
-    ::unlink(temporary.c_str());
-    errno = error;
-    RefuseErrno(path, action);
-  };
-  {
-    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
-    if (!file.ok()) give_up("create its temporary file");
-    if (!WriteAll(file.get(), header) || !WriteAll(file.get(), payload)) give_up("write");
-    if (::fsync(file.get()) != 0) give_up("sync");
+  try {
+    WriteWholeFile(path, header.append(payload));
+  } catch (const InputError& error) {
+    throw CheckpointError(error.what());
   }
-  if (::rename(temporary.c_str(), path.c_str()) != 0) give_up("rename its temporary file");
-  const Descriptor folder(path.has_parent_path() ? path.parent_path() : ".",
-                          O_RDONLY | O_DIRECTORY);
-  if (!folder.ok() || ::fsync(folder.get()) != 0) RefuseErrno(path, "sync its folder");
 }
 
 CheckedFile ReadCheckedFile(const std::filesystem::path& path, std::string_view magic,

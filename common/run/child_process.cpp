@@ -14,9 +14,9 @@
 
 #include "common/base/check.h"
 #include "common/base/error.h"
-#include "common/run/file_descriptor.h"
+#include "common/base/file_descriptor.h"
+#include "common/base/whole_file.h"
 #include "common/run/process.h"
-#include "common/run/whole_file.h"
 
 namespace ronda {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "common/base/check.h"
 #include "common/base/error.h"
+#include "common/base/whole_file.h"
 #include "common/run/nearest_name.h"
-#include "common/run/whole_file.h"
 
 namespace ronda {
 namespace {

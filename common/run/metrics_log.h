@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "common/run/file_descriptor.h"
+#include "common/base/file_descriptor.h"
 
 namespace ronda {
 

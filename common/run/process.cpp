@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "common/base/error.h"
-#include "common/run/file_descriptor.h"
+#include "common/base/file_descriptor.h"
 
 namespace ronda {
 namespace {

@@ -7,7 +7,7 @@
 // by children. TransportError where every domain of the range is taken. Thread-compatible.
 #include <cstdint>
 
-#include "common/run/file_descriptor.h"
+#include "common/base/file_descriptor.h"
 
 namespace ronda {
 

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "common/base/error.h"
-#include "common/run/whole_file.h"
+#include "common/base/whole_file.h"
 
 namespace ronda {
 namespace {

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "common/run/file_descriptor.h"
+#include "common/base/file_descriptor.h"
 
 namespace ronda {
 

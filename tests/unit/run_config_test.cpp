@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "common/base/error.h"
+#include "common/base/whole_file.h"
 #include "common/run/config.h"
-#include "common/run/whole_file.h"
 #include "tests/temporary_folder.h"
 
 namespace ronda {

@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "common/base/error.h"
+#include "common/base/whole_file.h"
 #include "common/run/child_process.h"
 #include "common/run/metrics_log.h"
 #include "common/run/paths.h"
 #include "common/run/run_domain.h"
 #include "common/run/run_folder.h"
-#include "common/run/whole_file.h"
 #include "tests/temporary_folder.h"
 
 namespace ronda {

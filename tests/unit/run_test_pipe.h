@@ -7,7 +7,7 @@
 #include <string>
 
 #include "common/base/check.h"
-#include "common/run/file_descriptor.h"
+#include "common/base/file_descriptor.h"
 
 namespace ronda {
 

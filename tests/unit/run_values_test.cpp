@@ -4,12 +4,12 @@
 #include <regex>
 
 #include "common/base/error.h"
+#include "common/base/whole_file.h"
 #include "common/run/duration.h"
 #include "common/run/log.h"
 #include "common/run/nearest_name.h"
 #include "common/run/paths.h"
 #include "common/run/restart_policy.h"
-#include "common/run/whole_file.h"
 #include "tests/temporary_folder.h"
 
 namespace ronda {

@@ -1,7 +1,8 @@
-#include "common/run/whole_file.h"
+#include "common/base/whole_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -9,7 +10,7 @@
 #include <fstream>
 
 #include "common/base/error.h"
-#include "common/run/file_descriptor.h"
+#include "common/base/file_descriptor.h"
 
 namespace ronda {
 namespace {
@@ -47,14 +48,17 @@ std::string ReadWholeFile(const std::filesystem::path& path) {
 void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes) {
   std::filesystem::path temporary = path;
   temporary += ".tmp";
-  {
+  try {
     const FileDescriptor file(
         ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
     if (!file.is_open()) Fail(path, "written");
     WriteAll(file, bytes, path);
     if (::fsync(file.number()) != 0) Fail(path, "written");
+    if (::rename(temporary.c_str(), path.c_str()) != 0) Fail(path, "written");
+  } catch (const InputError&) {
+    ::unlink(temporary.c_str());
+    throw;
   }
-  if (::rename(temporary.c_str(), path.c_str()) != 0) Fail(path, "written");
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.is_open()) ::fsync(directory.number());  // best effort: some file systems refuse
