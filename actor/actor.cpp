@@ -1,12 +1,9 @@
 #include "actor/actor.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace ronda {
 namespace {
-
-constexpr std::chrono::milliseconds kLongestWait{50};  // so that a stop is seen soon
 
 int RandomLegalAction(std::span<const std::uint8_t> legal_actions, Rng& rng) {
   const auto legal =
@@ -33,24 +30,13 @@ Actor::Actor(Environment& environment, Policy& policy, TransitionSink& sink, Wei
 }
 
 double Actor::epsilon() const {
-  return Epsilon(options_.exploration, progress_.load(std::memory_order_relaxed), options_.index,
-                 options_.actors);
-}
-
-ActorCounters Actor::counters() const {
-  return {.decisions = decisions_,
-          .episodes = episodes_,
-          .transitions = transitions_,
-          .dropped = dropped_,
-          .throttled = throttled_,
-          .weights_version = weights_version_,
-          .weights_refused = weights_refused_};
+  return Epsilon(options_.exploration, progress_, options_.index, options_.actors);
 }
 
 int Actor::Step() {
   sink_.Poll();
   if (!EmptyOutbox()) {
-    ++throttled_;
+    ++counters_.throttled;
     return 0;
   }
   LoadNewestWeights();
@@ -59,26 +45,20 @@ int Actor::Step() {
   const Decision& decision = environment_.decision();
   const int agent = decision.agent;
   const int action = Choose(decision);
-  adder_.Choose(agent, action, weights_version_);
+  adder_.Choose(agent, action, counters_.weights_version);
   const StepOutcome outcome = environment_.Step(action);
   for (const SettledReward& settled : outcome.settled) adder_.Settle(settled);
   if (outcome.state == EpisodeState::kRunning) {
     adder_.Observe(environment_.decision());
   } else {
     adder_.Finish(outcome.state, environment_.decision());
-    dropped_ = adder_.dropped();
+    counters_.dropped = adder_.dropped();
     in_episode_ = false;
-    ++episodes_;
+    ++counters_.episodes;
   }
-  ++decisions_;
+  ++counters_.decisions;
   EmptyOutbox();
   return 1;
-}
-
-void Actor::Run(const std::stop_token& stop) {
-  while (!stop.stop_requested() && !closed_) {
-    if (Step() == 0 && !closed_) sink_.Wait(kLongestWait);
-  }
 }
 
 bool Actor::EmptyOutbox() {
@@ -91,7 +71,7 @@ bool Actor::EmptyOutbox() {
       break;
     }
     outbox.pop_front();
-    ++transitions_;
+    ++counters_.transitions;
   }
   return !closed_;
 }
@@ -101,14 +81,14 @@ void Actor::LoadNewestWeights() {
   if (newest == nullptr) return;
   if (policy_.Load(*newest) == LoadResult::kLoaded) {
     has_weights_ = true;
-    weights_version_ = newest->version;
+    counters_.weights_version = newest->version;
   } else {
-    ++weights_refused_;
+    ++counters_.weights_refused;
   }
 }
 
 void Actor::BeginEpisode() {
-  environment_.Reset(SplitSeed(episode_seed_, episodes_));
+  environment_.Reset(SplitSeed(episode_seed_, counters_.episodes));
   adder_.Observe(environment_.decision());
   in_episode_ = true;
 }

@@ -6,11 +6,9 @@
 // outbox holds no more than one step completes and nothing is lost or pushed twice. Acts ε-greedily
 // over the legal actions; at random before any weights have come. Episode e of actor i draws from a
 // stream that follows from (seed, i, e) alone. Environment, policy and ports must outlive it.
-// Thread-compatible, except that set_progress and counters may be called from any thread.
+// Thread-compatible.
 // InputError for options out of range. Source: thesis §2.2, §2.4; Horgan et al. 2018.
-#include <atomic>
 #include <cstdint>
-#include <stop_token>
 
 #include "actor/exploration.h"
 #include "actor/n_step_adder.h"
@@ -46,17 +44,13 @@ class Actor {
 
   /// Makes one decision. Returns the decisions made: 0 where throttled or closed.
   int Step();
-  /// Steps until stopped or closed; waits for credit while throttled.
-  void Run(const std::stop_token& stop);
 
-  void set_progress(double progress) { progress_.store(progress, std::memory_order_relaxed); }
+  void set_progress(double progress) { progress_ = progress; }
   double epsilon() const;
   bool closed() const { return closed_; }  // the sink takes no more
-  ActorCounters counters() const;
+  const ActorCounters& counters() const { return counters_; }
 
  private:
-  using Counter = std::atomic<std::uint64_t>;
-
   bool EmptyOutbox();
   void LoadNewestWeights();
   void BeginEpisode();
@@ -73,9 +67,8 @@ class Actor {
   bool in_episode_ = false;
   bool has_weights_ = false;
   bool closed_ = false;
-  std::atomic<double> progress_{0.0};
-  Counter decisions_{0}, episodes_{0}, transitions_{0}, dropped_{0}, throttled_{0};
-  Counter weights_version_{0}, weights_refused_{0};
+  double progress_ = 0.0;
+  ActorCounters counters_;
 };
 
 }  // namespace ronda

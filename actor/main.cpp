@@ -81,7 +81,6 @@ int Body(int argc, char** argv, std::stop_token stop) {
     constexpr int kBetweenPolls = 100;
     int decisions = 0;
     while (decisions < kBetweenPolls && actor.Step() > 0) ++decisions;
-    sink.Poll();
     const bool throttled = decisions == 0;
     if (report_due.Due(std::chrono::steady_clock::now())) {
       reports.Send(Report(options, actor, sink, weights, throttled));

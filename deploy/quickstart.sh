@@ -11,11 +11,11 @@ step "Packages"
 deploy/setup.sh && echo "All there."
 
 step "Build"
-[ -e build/release/build.ninja ] || cmake --preset release -DRONDA_BUILD_TESTS=ON >/dev/null
+[ -e build/release/build.ninja ] || cmake --preset release -DRONDA_BUILD_TESTS=OFF -DRONDA_BUILD_BENCH=OFF >/dev/null
 cmake --build --preset release --target ronda ronda-actor ronda-replay ronda-learner
 
-step "Train: Cumberland, 10 robots, 2 actors, at most 100 s (Ctrl-C stops it with a checkpoint; call again to go on)"
-build/release/bin/ronda train --map cumberland --agents 10 --actors 2 --for 100s --run "$run"
+step "Train: Cumberland, 10 robots, 2 actors, 60 s (Ctrl-C stops it with a checkpoint; call again to go on)"
+build/release/bin/ronda train --map cumberland --agents 10 --actors 2 --for 60s --run "$run"
 
 step "Compare with the classical strategies: steady protocol, 20 seeds that training never saw"
 build/release/bin/ronda compare --map cumberland --agents 10 --policy "$run" --strategies all --json "$run/compare.json"

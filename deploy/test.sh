@@ -4,8 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 deploy/setup.sh --tests
-cmake --preset release >build-configure.log 2>&1 || { cat build-configure.log; exit 1; }
-rm -f build-configure.log
+cmake --preset release -DRONDA_BUILD_TESTS=ON -DRONDA_BUILD_BENCH=ON >/dev/null
 echo "Building (build/release) …"
 cmake --build --preset release
 ctest --preset release "$@"

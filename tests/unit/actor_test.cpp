@@ -25,18 +25,11 @@ class MemorySink final : public TransitionSink {
     return PushResult::kAccepted;
   }
   void Poll() override { ++polls; }
-  void Wait(std::chrono::milliseconds at_most) override {
-    longest_wait = std::max(longest_wait, at_most);
-    ++waits;
-    if (on_wait) on_wait();
-  }
+  void Wait(std::chrono::milliseconds) override {}
 
   std::vector<Transition> taken;
   std::size_t close_after = static_cast<std::size_t>(-1);
-  std::function<void()> on_wait;
-  std::chrono::milliseconds longest_wait{0};
   int polls = 0;
-  int waits = 0;
 
  private:
   double throttle_;
@@ -214,37 +207,16 @@ TEST_CASE("The same seed gives the same transitions, another actor others") {
                          other.sink.taken.end(), Same));
 }
 
-TEST_CASE("Run waits briefly for credit while throttled, and ends when it is stopped") {
-  Setup setup(1.0);
-  std::stop_source stop;
-  setup.sink.on_wait = [&] {
-    if (setup.sink.waits == 3) stop.request_stop();
-  };
-
-  setup.sut.Run(stop.get_token());
-
-  CHECK(setup.sink.waits == 3);
-  CHECK(setup.sink.longest_wait == std::chrono::milliseconds(50));
-}
-
-TEST_CASE("Run ends when the sink closes") {
+TEST_CASE("A sink that closes ends the actor's steps") {
   Setup setup;
   setup.sink.close_after = 40;
 
-  setup.sut.Run({});
+  int steps = 0;
+  while (setup.sut.Step() > 0) REQUIRE(++steps < 10'000);
 
   CHECK(setup.sut.closed());
+  CHECK(setup.sut.Step() == 0);
   CHECK(setup.sink.taken.size() == 40);
-}
-
-TEST_CASE("Progress and counters may be used while another thread runs the actor") {
-  Setup setup;
-  std::jthread runs([&](const std::stop_token& stop) { setup.sut.Run(stop); });
-  while (setup.sut.counters().decisions < 1000) setup.sut.set_progress(0.5);
-  runs.request_stop();
-  runs.join();
-
-  CHECK(setup.sut.counters().transitions == setup.sink.taken.size());
 }
 
 }  // namespace
