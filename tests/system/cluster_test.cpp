@@ -170,26 +170,42 @@ TEST_CASE("A cluster works with the socket buffers that a bare Debian grants") {
   CHECK(run.Summary()["transitions_lost"] == 0);
 }
 
+/// A folder with the real programs, but for one that is a script.
+std::filesystem::path ProgramsWithScript(const std::filesystem::path& folder,
+                                         const std::string& replaced, const std::string& script) {
+  std::filesystem::create_directory(folder);
+  for (const std::string name : {"ronda", "ronda-actor", "ronda-replay", "ronda-learner"}) {
+    if (name != replaced) {
+      std::filesystem::copy_file(std::filesystem::path(RONDA_BIN_DIR) / name, folder / name);
+    }
+  }
+  std::ofstream(folder / replaced) << "#!/bin/sh\n" << script;
+  std::filesystem::permissions(folder / replaced, std::filesystem::perms::owner_all);
+  return folder / "ronda";
+}
+
 TEST_CASE("A process that dies again and again ends the run with status 7 and its last words") {
   const TemporaryFolder temporary;
-  const auto bin = temporary.path() / "bin";
-  std::filesystem::create_directory(bin);
-  for (const char* name : {"ronda", "ronda-replay", "ronda-learner"}) {
-    std::filesystem::copy_file(std::filesystem::path(RONDA_BIN_DIR) / name, bin / name);
-  }
-  {
-    std::ofstream broken(bin / "ronda-actor");
-    broken << "#!/bin/sh\necho the actor cannot go on >&2\nexit 1\n";
-  }
-  std::filesystem::permissions(bin / "ronda-actor", std::filesystem::perms::owner_all);
-  LaunchedRun run(temporary.path() / "run",
-                  {"train", "--map", "4nodes", "--agents", "2", "--actors", "1", "--run", "{run}"},
-                  bin / "ronda");
+  LaunchedRun run(temporary.path() / "run", TrainFourNodes("1000000000"),
+                  ProgramsWithScript(temporary.path() / "bin", "ronda-actor",
+                                     "echo the actor cannot go on >&2\nexit 1\n"));
 
   CHECK(run.WaitForEnd(seconds(60)).code == 7);
   INFO(run.Output());
   CHECK(run.Output().find("5 deaths") != std::string::npos);
   CHECK(run.Output().find("the actor cannot go on") != std::string::npos);
+}
+
+TEST_CASE("A learner that says that its loss diverged ends the run with its status at once") {
+  const TemporaryFolder temporary;
+  LaunchedRun run(temporary.path() / "run", TrainFourNodes("1000000000"),
+                  ProgramsWithScript(temporary.path() / "bin", "ronda-learner",
+                                     "echo the loss is not finite >&2\nexit 6\n"));
+
+  CHECK(run.WaitForEnd(seconds(60)).code == 6);
+  INFO(run.Output());
+  CHECK(run.Output().find("the loss is not finite") != std::string::npos);
+  CHECK(run.Summary()["restarts"]["learner"] == 0);
 }
 
 TEST_CASE("Bad input is refused with its status and leaves no run folder behind") {
