@@ -36,6 +36,7 @@ ProcessReport Report(const RoleOptions& options, const Actor& actor,
           .state = throttled ? "waiting for " + sink.waiting_for() : "running",
           .metrics = {{"decisions", static_cast<double>(actor.counters().decisions)},
                       {"sent", static_cast<double>(sink.sent())},
+                      {"confirmed", static_cast<double>(sink.confirmed())},
                       {"weights_version", static_cast<double>(actor.counters().weights_version)},
                       {"messages_refused", static_cast<double>(weights.messages_refused())},
                       {"epsilon", actor.epsilon()}}};

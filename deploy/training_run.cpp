@@ -149,7 +149,8 @@ void Session::TakeReport(const ProcessReport& report) {
   ledger_.OnRefusals(report.incarnation, count("messages_refused"));
   states_[fmt::format("{} {}", report.role, report.index)] = report.state;
   if (report.role == "actor") {
-    ledger_.OnActorReport(report.index, report.incarnation, count("sent"), count("decisions"));
+    ledger_.OnActorReport(report.index, report.incarnation, count("sent"), count("confirmed"),
+                          count("decisions"));
   } else if (report.role == "learner") {
     state_.updates = count("updates");
     state_.totals.weights_version =

@@ -16,9 +16,11 @@ void TransitionLedger::OnStatus(const ReplayStatus& status) {
 }
 
 void TransitionLedger::OnActorReport(std::uint32_t index, std::uint64_t incarnation,
-                                     std::uint64_t sent, std::uint64_t decisions) {
+                                     std::uint64_t sent, std::uint64_t confirmed,
+                                     std::uint64_t decisions) {
   Actor& actor = actors_[{index, incarnation}];
   actor.sent = std::max(actor.sent, sent);
+  actor.stored_through = std::max(actor.stored_through, confirmed);
   actor.decisions = std::max(actor.decisions, decisions);
 }
 

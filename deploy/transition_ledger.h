@@ -31,8 +31,9 @@ class TransitionLedger {
   explicit TransitionLedger(const RunTotals& before) : before_(before) {}
 
   void OnStatus(const ReplayStatus& status);
+  /// `confirmed`: how far the actor knows its transitions to be stored; it hears the replay itself.
   void OnActorReport(std::uint32_t actor, std::uint64_t incarnation, std::uint64_t sent,
-                     std::uint64_t decisions);
+                     std::uint64_t confirmed, std::uint64_t decisions);
   /// Messages that a process other than the replay has refused, by its start.
   void OnRefusals(std::uint64_t incarnation, std::uint64_t messages);
   void OnActorDeath(std::uint32_t actor, std::uint64_t incarnation);

@@ -5,7 +5,10 @@
 // that keeps all stands still for every reader while one of them is dead and its lease runs, and
 // nothing here needs that, since delivery is confirmed end to end (experience), asked for again
 // (sampling), or only the newest counts (the rest). So no write waits for a reader.
-// The table is explained in docs/protocol.md.
+// Readers have room for far more than is ever unread: what a killed writer left incomplete (a
+// sample that came after a lost one) keeps its place until that writer's lease ends, and where such
+// samples fill a reader, its successor is not heard for that long. The table is explained in
+// docs/protocol.md.
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 
@@ -32,12 +35,12 @@ inline constexpr Channel kExperienceChannel{.topic = "ronda/experience",
 inline constexpr Channel kCreditChannel{.topic = "ronda/credit",
                                         .durability = Durability::kTransientLocal,
                                         .writer_depth = 1,
-                                        .reader_depth = 4,
+                                        .reader_depth = 128,
                                         .reader_keeps_all = false};
 inline constexpr Channel kRequestChannel{.topic = "ronda/sample_request",
                                          .durability = Durability::kTransientLocal,
                                          .writer_depth = 1,
-                                         .reader_depth = 4,
+                                         .reader_depth = 128,
                                          .reader_keeps_all = false};
 inline constexpr Channel kSampleChannel{.topic = "ronda/sample",
                                         .durability = Durability::kVolatile,
@@ -52,7 +55,7 @@ inline constexpr Channel kPriorityChannel{.topic = "ronda/priorities",
 inline constexpr Channel kWeightsChannel{.topic = "ronda/weights",
                                          .durability = Durability::kTransientLocal,
                                          .writer_depth = 1,
-                                         .reader_depth = 2,
+                                         .reader_depth = 32,
                                          .reader_keeps_all = false};
 inline constexpr Channel kReportChannel{.topic = "ronda/report",
                                         .durability = Durability::kTransientLocal,
@@ -62,7 +65,7 @@ inline constexpr Channel kReportChannel{.topic = "ronda/report",
 inline constexpr Channel kControlChannel{.topic = "ronda/control",
                                          .durability = Durability::kTransientLocal,
                                          .writer_depth = 1,
-                                         .reader_depth = 2,
+                                         .reader_depth = 128,
                                          .reader_keeps_all = false};
 
 eprosima::fastdds::dds::DataWriterQos WriterQos(const Channel& channel);

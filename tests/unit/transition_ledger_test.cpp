@@ -19,7 +19,7 @@ void CheckBalanced(const RunTotals& totals) {
 
 TEST_CASE("What a living actor has sent and the replay has not stored is in flight") {
   TransitionLedger sut;
-  sut.OnActorReport(0, 11, 300, 320);
+  sut.OnActorReport(0, 11, 300, 0, 320);
   sut.OnStatus(Status(1, 256, {{0, 11, 256, 500}}));
 
   const RunTotals totals = sut.Totals();
@@ -33,13 +33,13 @@ TEST_CASE("What a living actor has sent and the replay has not stored is in flig
 TEST_CASE(
     "What a dead actor has sent and nobody has stored is lost, until a late message is stored") {
   TransitionLedger sut;
-  sut.OnActorReport(0, 11, 300, 320);
+  sut.OnActorReport(0, 11, 300, 0, 320);
   sut.OnStatus(Status(1, 256, {{0, 11, 256, 500}}));
   sut.OnActorDeath(0, 11);
   CHECK(sut.Totals().lost == 44);
 
   sut.OnStatus(Status(1, 290, {{0, 11, 290, 500}}));
-  sut.OnActorReport(0, 12, 10, 10);
+  sut.OnActorReport(0, 12, 10, 0, 10);
   const RunTotals totals = sut.Totals();
   CheckBalanced(totals);
   CHECK(totals.lost == 10);
@@ -49,16 +49,26 @@ TEST_CASE(
 
 TEST_CASE("A status that is newer than the actor's report says what was sent") {
   TransitionLedger sut;
-  sut.OnActorReport(0, 11, 100, 100);
+  sut.OnActorReport(0, 11, 100, 0, 100);
   sut.OnStatus(Status(1, 180, {{0, 11, 180, 500}}));
 
   CheckBalanced(sut.Totals());
   CHECK(sut.Totals().sent == 180);
 }
 
+TEST_CASE("What an actor knows to be stored counts, also where the status has not come") {
+  TransitionLedger sut;
+  sut.OnActorReport(0, 11, 300, 256, 320);
+  sut.OnActorDeath(0, 11);
+
+  CheckBalanced(sut.Totals());
+  CHECK(sut.Totals().stored == 256);
+  CHECK(sut.Totals().lost == 44);
+}
+
 TEST_CASE("What a dead replay held is forgotten, and its successor counts nothing twice") {
   TransitionLedger sut;
-  sut.OnActorReport(0, 11, 1000, 1000);
+  sut.OnActorReport(0, 11, 1000, 0, 1000);
   sut.OnStatus(Status(1, 900, {{0, 11, 900, 1500}}));
   sut.OnReplayDeath(1);
   sut.OnStatus(Status(2, 100, {{0, 11, 1000, 1500}}));
@@ -76,7 +86,7 @@ TEST_CASE("Totals of former sessions are carried on") {
   before.lost = 10;
   before.decisions = 60;
   TransitionLedger sut(before);
-  sut.OnActorReport(0, 99, 5, 6);
+  sut.OnActorReport(0, 99, 5, 0, 6);
   sut.OnStatus(Status(7, 5, {{0, 99, 5, 10}}));
 
   const RunTotals totals = sut.Totals();
