@@ -6,6 +6,20 @@
 #include "common/dds/codec_checks.h"
 
 namespace ronda::dds {
+namespace {
+
+// idl/telemetry.idl; the generated strings would cut what is longer without a word.
+constexpr std::size_t kMaxNameBytes = 64;
+constexpr std::size_t kMaxStateBytes = 255;
+
+bool TextsFit(const ProcessReport& value) {
+  return value.role.size() <= kMaxNameBytes && value.state.size() <= kMaxStateBytes &&
+         std::ranges::all_of(value.metrics, [](const auto& metric) {
+           return metric.first.size() <= kMaxNameBytes;
+         });
+}
+
+}  // namespace
 
 bool Encode(const WeightSnapshot& value, wire::WeightSnapshot& message) {
   if (value.values.size() > wire::MAX_WEIGHTS) return false;
@@ -31,7 +45,7 @@ Fault Decode(const wire::WeightSnapshot& message, WeightSnapshot& value) {
 }
 
 bool Encode(const ProcessReport& value, wire::ProcessReport& message) {
-  if (value.metrics.size() > wire::MAX_METRICS) return false;
+  if (value.metrics.size() > wire::MAX_METRICS || !TextsFit(value)) return false;
   message.protocol_version(kProtocolVersion);
   message.role(value.role);
   message.process_index(value.index);
