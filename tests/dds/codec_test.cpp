@@ -275,7 +275,7 @@ TEST_CASE("requests, priorities, weights, reports and control out of their rules
   const auto report = [](auto change) {
     return FaultAfter<wire::ProcessReport>(GoodProcessReport(), change);
   };
-  CHECK(report([](auto& m) { m.metric_values().pop_back(); }) == Fault::kSizes);
+  CHECK(report([](auto& m) { m.metrics().resize(257); }) == Fault::kSizes);
   CHECK(report([](auto& m) { m.pid(0); }) == Fault::kRange);
 
   const auto control = [](auto change) {
