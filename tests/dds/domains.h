@@ -6,19 +6,24 @@ namespace ronda {
 
 inline constexpr int kDeliveryDomain = 101;
 inline constexpr int kLimiterDomain = 102;
-inline constexpr int kSamplesDomain = 103;
-inline constexpr int kPrioritiesDomain = 104;
-inline constexpr int kNewReplayDomain = 105;
-inline constexpr int kFormerReplayDomain = 106;
-inline constexpr int kRefusalsDomain = 107;
-inline constexpr int kWeightsDomain = 108;
-inline constexpr int kForeignWeightsDomain = 109;
-inline constexpr int kOlderWeightsDomain = 110;
-inline constexpr int kReportsDomain = 111;
-inline constexpr int kControlDomain = 112;
-inline constexpr int kStatusDomain = 113;
-inline constexpr int kStrangersDomain = 114;
-inline constexpr int kKilledReplayDomain = 115;
-inline constexpr int kSmallBuffersDomain = 116;
+inline constexpr int kNewReplayDomain = 103;
+inline constexpr int kFormerReplayDomain = 104;
+inline constexpr int kRefusalsDomain = 105;
+inline constexpr int kStrangersDomain = 106;
+inline constexpr int kSamplesDomain = 107;
+inline constexpr int kPrioritiesDomain = 108;
+inline constexpr int kNewReplayForLearnerDomain = 109;
+inline constexpr int kNewLearnerDomain = 110;
+inline constexpr int kWeightsDomain = 111;
+inline constexpr int kLargeWeightsDomain = 112;
+inline constexpr int kForeignWeightsDomain = 113;
+inline constexpr int kOlderWeightsDomain = 114;
+inline constexpr int kStrangersWeightsDomain = 115;
+inline constexpr int kReportsDomain = 116;
+inline constexpr int kControlDomain = 117;
+inline constexpr int kStatusDomain = 118;
+inline constexpr int kKilledReplayDomain = 119;
+inline constexpr int kSmallBuffersDomain = 120;
+inline constexpr int kDeadReaderDomain = 121;
 
 }  // namespace ronda
