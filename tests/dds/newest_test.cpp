@@ -137,17 +137,31 @@ TEST_CASE("weights of another run in the same domain do not come") {
   dds::Participant theirs(Member(kStrangersWeightsDomain, "theirs", "theirs"));
   dds::WeightsWriter our_writer(ours), their_writer(theirs);
   dds::WeightsReader our_reader(ours, kHash), their_reader(theirs, kHash);
-
-  for (std::uint64_t round = 1; round <= 20; ++round) {
-    their_writer.Publish(Weights(1000 + round));  // newer: it would count if it came
-    our_writer.Publish(Weights(round));
+  std::uint64_t version = 0;
+  const auto publish_and_compare = [&] {
+    ++version;
+    their_writer.Publish(Weights(1'000'000 + version));  // newer: it would count if it came
+    our_writer.Publish(Weights(version));
     const auto our_next = Next(our_reader);
     const auto their_next = Next(their_reader);
     REQUIRE(our_next);
     REQUIRE(their_next);
-    CHECK(our_next->version == round);
-    CHECK(their_next->version == 1000 + round);
-  }
+    CHECK(our_next->version == version);
+    CHECK(their_next->version == 1'000'000 + version);
+  };
+
+  // Until members of each run that joined last have met theirs; those above have had longer to
+  // meet.
+  dds::Participant our_last(Member(kStrangersWeightsDomain, "our last", "ours"));
+  dds::Participant their_last(Member(kStrangersWeightsDomain, "their last", "theirs"));
+  dds::WeightsReader our_last_reader(our_last, kHash), their_last_reader(their_last, kHash);
+  bool our_last_met = false, their_last_met = false;
+  REQUIRE(StepUntil(publish_and_compare, [&] {
+    our_last_met |= our_last_reader.Newest() != nullptr;
+    their_last_met |= their_last_reader.Newest() != nullptr;
+    return our_last_met && their_last_met;
+  }));
+  for (int round = 0; round < 20; ++round) publish_and_compare();
 }
 
 TEST_CASE("the launcher gets the last report of each process, also of one that has ended") {
