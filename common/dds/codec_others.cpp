@@ -6,6 +6,20 @@
 #include "common/dds/codec_checks.h"
 
 namespace ronda::dds {
+namespace {
+
+// idl/telemetry.idl; the generated strings would cut what is longer without a word.
+constexpr std::size_t kMaxNameBytes = 64;
+constexpr std::size_t kMaxStateBytes = 255;
+
+bool TextsFit(const ProcessReport& value) {
+  return value.role.size() <= kMaxNameBytes && value.state.size() <= kMaxStateBytes &&
+         std::ranges::all_of(value.metrics, [](const auto& metric) {
+           return metric.first.size() <= kMaxNameBytes;
+         });
+}
+
+}  // namespace
 
 bool Encode(const WeightSnapshot& value, wire::WeightSnapshot& message) {
   if (value.values.size() > wire::MAX_WEIGHTS) return false;
@@ -31,28 +45,24 @@ Fault Decode(const wire::WeightSnapshot& message, WeightSnapshot& value) {
 }
 
 bool Encode(const ProcessReport& value, wire::ProcessReport& message) {
-  if (value.metrics.size() > wire::MAX_METRICS) return false;
+  if (value.metrics.size() > wire::MAX_METRICS || !TextsFit(value)) return false;
   message.protocol_version(kProtocolVersion);
   message.role(value.role);
   message.process_index(value.index);
   message.incarnation(value.incarnation);
   message.pid(value.pid);
   message.state(value.state);
-  message.metric_names().clear();
-  message.metric_values().clear();
-  for (const auto& [name, metric] : value.metrics) {
-    message.metric_names().emplace_back(name);
-    message.metric_values().push_back(metric);
+  message.metrics().resize(value.metrics.size());
+  for (std::size_t i = 0; i < value.metrics.size(); ++i) {
+    message.metrics()[i].name(value.metrics[i].first);
+    message.metrics()[i].value(value.metrics[i].second);
   }
   return true;
 }
 
 Fault Decode(const wire::ProcessReport& message, ProcessReport& value) {
   if (message.protocol_version() != kProtocolVersion) return Fault::kVersion;
-  if (message.metric_names().size() > wire::MAX_METRICS ||
-      !HasSize(message.metric_values(), message.metric_names().size())) {
-    return Fault::kSizes;
-  }
+  if (message.metrics().size() > wire::MAX_METRICS) return Fault::kSizes;
   if (message.pid() <= 0) return Fault::kRange;
   value.role = message.role().c_str();
   value.index = message.process_index();
@@ -60,8 +70,8 @@ Fault Decode(const wire::ProcessReport& message, ProcessReport& value) {
   value.pid = message.pid();
   value.state = message.state().c_str();
   value.metrics.clear();
-  for (std::size_t i = 0; i < message.metric_names().size(); ++i) {
-    value.metrics.emplace_back(message.metric_names()[i].c_str(), message.metric_values()[i]);
+  for (const wire::Metric& metric : message.metrics()) {
+    value.metrics.emplace_back(metric.name().c_str(), metric.value());
   }
   return Fault::kNone;
 }
