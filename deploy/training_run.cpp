@@ -165,8 +165,6 @@ void Session::Listen() {
   ReplayStatus status;
   while (statuses_.Take(status)) {
     ledger_.OnStatus(status);
-    if (status.stored > 0 && !first_transition_) first_transition_ = Clock::now();
-    if (status.stored != status_.stored) last_transition_ = Clock::now();
     status_ = std::move(status);
   }
 }
@@ -200,7 +198,12 @@ std::optional<int> Session::Supervise(Cluster& cluster, Clock::time_point now) {
 
 void Session::UpdateState(const Cluster& cluster, Clock::time_point now) {
   const std::uint64_t version = state_.totals.weights_version;
-  state_.totals = ledger_.Totals();
+  const RunTotals totals = ledger_.Totals();
+  if (totals.stored > state_.totals.stored) {
+    if (!first_transition_) first_transition_ = now;
+    last_transition_ = now;
+  }
+  state_.totals = totals;
   state_.totals.weights_version = version;
   state_.wall_s = before_.wall_s + Seconds(now - began_);
   state_.training_s =
