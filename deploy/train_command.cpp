@@ -42,7 +42,7 @@ int Train(const TrainArguments& arguments, std::stop_token stop) {
 void AddTrainCommand(CLI::App& app, std::stop_token stop, int& exit_status) {
   auto arguments = std::make_shared<TrainArguments>();
   CLI::App* command = app.add_subcommand(
-      "train", "Train a policy: replay, learner and actors as processes of their own.");
+      "train", "train a policy: replay, learner and actors as processes of their own");
   command->add_option("--map", arguments->map, "a map that ships (cumberland), or a file");
   command->add_option("--agents", arguments->agents, "robots on the map (10)");
   command->add_option("--actors", arguments->actors, "actor processes (one for each core)");
