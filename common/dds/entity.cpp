@@ -15,12 +15,6 @@ using eprosima::fastrtps::types::ReturnCode_t;
 // The one place that knows how this version of the library says "done".
 bool Succeeded(const ReturnCode_t& code) { return code == ReturnCode_t::RETCODE_OK; }
 
-std::string GuidText(const eprosima::fastrtps::rtps::GUID_t& guid) {
-  std::ostringstream text;
-  text << guid;
-  return text.str();
-}
-
 }  // namespace
 
 WriterEntity::WriterEntity(Participant::Impl& participant, const Channel& channel,
@@ -62,16 +56,20 @@ ReaderEntity::~ReaderEntity() {
   participant_.subscriber->delete_datareader(reader_);
 }
 
-bool ReaderEntity::TakeSample(void* sample, std::string* sender) {
+bool ReaderEntity::TakeSample(void* sample) {
   fastdds::SampleInfo info;
   while (Succeeded(reader_->take_next_sample(sample, &info))) {
     if (!info.valid_data) continue;  // only says that a writer went away
-    if (sender != nullptr) *sender = GuidText(info.sample_identity.writer_guid());
-    may_hold_more_ = true;
+    last_sender_ = info.sample_identity.writer_guid();
     return true;
   }
-  may_hold_more_ = false;
   return false;
+}
+
+std::string ReaderEntity::LastSender() const {
+  std::ostringstream text;
+  text << last_sender_;
+  return text.str();
 }
 
 }  // namespace ronda::dds

@@ -40,10 +40,10 @@ class ReaderEntity {
   ReaderEntity(const ReaderEntity&) = delete;
   ReaderEntity& operator=(const ReaderEntity&) = delete;
 
-  /// The next sample, if there is one; `sender` names its writer.
-  [[nodiscard]] bool TakeSample(void* sample, std::string* sender);
-  /// The last call took a sample, so there may be another one that no notification will tell of.
-  bool may_hold_more() const { return may_hold_more_; }
+  /// The next sample, if there is one.
+  [[nodiscard]] bool TakeSample(void* sample);
+  /// Names the writer of what was taken last.
+  std::string LastSender() const;
   const char* topic() const { return topic_; }
 
  private:
@@ -60,7 +60,7 @@ class ReaderEntity {
   const char* topic_;
   Listener listener_;
   fastdds::DataReader* reader_;
-  bool may_hold_more_ = true;
+  eprosima::fastrtps::rtps::GUID_t last_sender_;
 };
 
 }  // namespace ronda::dds

@@ -10,8 +10,8 @@
 #include <mutex>
 
 #include "common/base/error.h"
+#include "common/dds/loopback.h"
 #include "common/dds/participant_impl.h"
-#include "common/dds/socket_buffers.h"
 
 namespace ronda::dds {
 namespace {
@@ -76,6 +76,11 @@ Participant::Impl::Impl(const ParticipantOptions& options) : domain(options.doma
   if (domain < 0 || domain > kMaxDomain) {
     throw TransportError(
         fmt::format("DDS domain {} is not one of 0 … {}", options.domain, kMaxDomain));
+  }
+  if (!LoopbackIsUp()) {
+    throw TransportError(fmt::format(
+        "DDS domain {} cannot be joined: there is no way to {}; is the loopback interface up?",
+        domain, kLoopback));
   }
   SetUpLibraryOnce();
   socket_buffer_report = DescribeSocketBuffers(options.socket_buffer_bytes,

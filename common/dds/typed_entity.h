@@ -40,21 +40,20 @@ class TypedReader {
   /// The next message that decodes; what does not goes to `refusals`.
   template <typename Value>
   [[nodiscard]] bool Take(Value& value, Refusals& refusals) {
-    while (entity_.TakeSample(&message_, &sender_)) {
+    while (entity_.TakeSample(&message_)) {
       const Fault fault = Decode(message_, value);
       if (fault == Fault::kNone) return true;
-      refusals.Add(entity_.topic(), sender_, Describe(fault));
+      refusals.Add(entity_.topic(), sender(), Describe(fault));
     }
     return false;
   }
 
-  const std::string& sender() const { return sender_; }  // of what was taken last
+  std::string sender() const { return entity_.LastSender(); }  // of what was taken last
   const char* topic() const { return entity_.topic(); }
 
  private:
   ReaderEntity entity_;
   typename PubSubType::type message_;
-  std::string sender_;
 };
 
 }  // namespace ronda::dds

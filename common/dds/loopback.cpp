@@ -1,6 +1,7 @@
-#include "common/dds/socket_buffers.h"
+#include "common/dds/loopback.h"
 
 #include <fmt/format.h>
+#include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -26,6 +27,19 @@ SocketBuffers ProbeSocketBuffers(int asked_bytes) {
                               .send_bytes = Granted(socket_fd, SO_SNDBUF, asked_bytes)};
   close(socket_fd);
   return granted;
+}
+
+bool LoopbackIsUp() {
+  const int socket_fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (socket_fd < 0) return false;
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_port = htons(9);  // any; connecting sends nothing, but needs a route
+  const bool reachable =
+      connect(socket_fd, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+  close(socket_fd);
+  return reachable;
 }
 
 std::string DescribeSocketBuffers(int asked_bytes, const SocketBuffers& granted) {
