@@ -35,7 +35,7 @@ class KilledReplay {
 
   ChildProcess Start(std::uint64_t incarnation) {
     return ChildProcess(std::filesystem::path(RONDA_BIN_DIR) / "dds_test_replay_program",
-                        {std::to_string(domain_), std::to_string(incarnation),
+                        {std::to_string(domain_), TestRun(), std::to_string(incarnation),
                          std::to_string(socket_buffer_bytes_), File(incarnation).string()},
                         folder_ / "log");
   }
@@ -138,7 +138,7 @@ TEST_CASE("a replay that is killed three times costs no transition and doubles n
   constexpr int kBuffer_bytes = 4 << 20;
   KilledReplay replay(kKilledReplayDomain, kBuffer_bytes);
   dds::Participant participant({.domain = kKilledReplayDomain,
-                                .run_id = "run",
+                                .run_id = TestRun(),
                                 .name = "actor",
                                 .socket_buffer_bytes = kBuffer_bytes});
   NumberingActor sut(participant);
@@ -154,7 +154,7 @@ TEST_CASE("the same with the socket buffers that the kernel gives without being 
   constexpr int kBuffer_bytes = 212'992;
   KilledReplay replay(kSmallBuffersDomain, kBuffer_bytes);
   dds::Participant participant({.domain = kSmallBuffersDomain,
-                                .run_id = "run",
+                                .run_id = TestRun(),
                                 .name = "actor",
                                 .socket_buffer_bytes = kBuffer_bytes});
   NumberingActor sut(participant);
@@ -168,7 +168,7 @@ TEST_CASE("the same with the socket buffers that the kernel gives without being 
 TEST_CASE("no write waits for a reader that was killed") {
   KilledReplay replay(kDeadReaderDomain, 4 << 20);
   dds::Participant participant(
-      {.domain = kDeadReaderDomain, .run_id = "run", .name = "actor and learner"});
+      {.domain = kDeadReaderDomain, .run_id = TestRun(), .name = "actor and learner"});
   NumberingActor actor(participant);
   dds::LearnerEndpoint sut(participant, {.learner_incarnation = 60, .batch_size = 64});
   ChildProcess child = replay.Start(1);

@@ -1,6 +1,10 @@
 #pragma once
-// The DDS domain of each test: each has its own, beyond those that runs take (1 … 100), so that
-// tests may run side by side.
+// Where a test's participants meet: each test has a DDS domain of its own, beyond those that runs
+// take (1 … 100), and each test process a run id of its own, so that two test suites may run side
+// by side on one machine.
+#include <unistd.h>
+
+#include <string>
 
 namespace ronda {
 
@@ -25,5 +29,8 @@ inline constexpr int kStatusDomain = 118;
 inline constexpr int kKilledReplayDomain = 119;
 inline constexpr int kSmallBuffersDomain = 120;
 inline constexpr int kDeadReaderDomain = 121;
+
+/// The run id of this test process; programs that it starts are told.
+inline std::string TestRun() { return "test-" + std::to_string(getpid()); }
 
 }  // namespace ronda

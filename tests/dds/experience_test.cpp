@@ -20,7 +20,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 dds::ParticipantOptions Member(int domain, const std::string& name,
-                               const std::string& run_id = "run") {
+                               const std::string& run_id = TestRun()) {
   return {.domain = domain, .run_id = run_id, .name = name};
 }
 

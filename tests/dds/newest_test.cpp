@@ -24,7 +24,7 @@ using std::chrono::milliseconds;
 constexpr std::uint64_t kHash = 0x1111;
 
 dds::ParticipantOptions Member(int domain, const std::string& name,
-                               const std::string& run_id = "run") {
+                               const std::string& run_id = TestRun()) {
   return {.domain = domain, .run_id = run_id, .name = name};
 }
 

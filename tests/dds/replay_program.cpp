@@ -1,4 +1,5 @@
-// A replay that a test kills: dds_test_replay_program DOMAIN INCARNATION SOCKET_BUFFER_BYTES FILE.
+// A replay that a test kills: dds_test_replay_program DOMAIN RUN INCARNATION
+// SOCKET_BUFFER_BYTES FILE.
 //
 // Appends the reward of each transition that it stores to FILE, as a float, and does so before its
 // status says that it is stored. Ends at SIGTERM.
@@ -15,16 +16,16 @@ namespace ronda {
 namespace {
 
 int Body(int argc, char** argv, std::stop_token stop) {
-  if (argc != 5) throw UsageError("give domain, incarnation, socket buffer bytes and file");
+  if (argc != 6) throw UsageError("give domain, run, incarnation, socket buffer bytes and file");
   EndWithParent();
-  std::FILE* file = std::fopen(argv[4], "ab");
-  if (file == nullptr) throw InputError(fmt::format("{}: cannot be opened", argv[4]));
+  std::FILE* file = std::fopen(argv[5], "ab");
+  if (file == nullptr) throw InputError(fmt::format("{}: cannot be opened", argv[5]));
   std::setvbuf(file, nullptr, _IONBF, 0);
   dds::Participant participant({.domain = std::stoi(argv[1]),
-                                .run_id = "run",
+                                .run_id = argv[2],
                                 .name = "replay",
-                                .socket_buffer_bytes = std::stoi(argv[3])});
-  SmallReplay replay(participant, UnlimitedReplay(), std::stoull(argv[2]),
+                                .socket_buffer_bytes = std::stoi(argv[4])});
+  SmallReplay replay(participant, UnlimitedReplay(), std::stoull(argv[3]),
                      [&](float reward) { std::fwrite(&reward, sizeof reward, 1, file); });
   while (!stop.stop_requested()) replay.Step();
   std::fclose(file);

@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 dds::ParticipantOptions Member(int domain, const std::string& name) {
-  return {.domain = domain, .run_id = "run", .name = name};
+  return {.domain = domain, .run_id = TestRun(), .name = name};
 }
 
 /// Sends the transitions numbered from 1; all of them are stored when it returns true.
