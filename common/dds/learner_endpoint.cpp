@@ -78,7 +78,8 @@ const SampledBatch* LearnerEndpoint::Next(std::chrono::milliseconds at_most) {
     }
     if (took) return &impl.batch;
     if (now >= deadline) return nullptr;
-    impl.wakeup.Wait(std::chrono::ceil<std::chrono::milliseconds>(deadline - now));
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - now);
+    impl.wakeup.Wait(std::min(left, kRepeatRequest));  // then it may be time to ask again
   }
 }
 

@@ -29,6 +29,7 @@ inline constexpr int kStatusDomain = 118;
 inline constexpr int kKilledReplayDomain = 119;
 inline constexpr int kSmallBuffersDomain = 120;
 inline constexpr int kDeadReaderDomain = 121;
+inline constexpr int kLostSamplesDomain = 122;
 
 /// The run id of this test process; programs that it starts are told.
 inline std::string TestRun() { return "test-" + std::to_string(getpid()); }

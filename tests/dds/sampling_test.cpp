@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
+#include <thread>
 
 #include "common/dds/experience_writer.h"
 #include "common/dds/learner_endpoint.h"
+#include "common/dds/replay_endpoint.h"
 #include "tests/dds/domains.h"
 #include "tests/dds/small_replay.h"
 #include "tests/dds/step_until.h"
@@ -136,6 +138,33 @@ TEST_CASE("the learner goes on with a new replay") {
                       if (batch->replay_incarnation == 2) ++of_the_second;
                       return of_the_second == 20;
                     }));
+}
+
+TEST_CASE("what does not come is asked for again, within one long wait too") {
+  dds::Participant replay(Member(kLostSamplesDomain, "replay"));
+  dds::ReplayEndpoint endpoint(replay);
+  int requests = 0;
+  std::jthread answers([&](std::stop_token stop) {  // the first two are as good as lost
+    SampleRequest request;
+    while (!stop.stop_requested()) {
+      endpoint.Wait(milliseconds(5));
+      while (endpoint.TakeRequest(request)) ++requests;
+      if (requests < 3) continue;
+      SampledBatch batch = GoodSampledBatch(64);
+      batch.learner_incarnation = request.learner_incarnation;
+      batch.id = request.first_id;
+      endpoint.SendBatch(batch);
+    }
+  });
+  dds::Participant participant(Member(kLostSamplesDomain, "learner"));
+  dds::LearnerEndpoint sut(participant, {.learner_incarnation = 60, .batch_size = 64});
+
+  const SampledBatch* batch = sut.Next(seconds(60));
+
+  CHECK(batch != nullptr);
+  answers.request_stop();
+  answers.join();
+  CHECK(requests >= 3);
 }
 
 TEST_CASE("a learner's successor is served, and not with what its predecessor asked for") {
