@@ -26,6 +26,12 @@ PatrolGraph LoadWithWarnings(const EvaluationArguments& arguments) {
 
 void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationOptions& options = arguments.options;
+  // CLI11 reads "-1" into an unsigned number without complaint.
+  const CLI::Validator not_negative(
+      [](std::string& text) {
+        return text.starts_with('-') ? "must be 0 or more, got " + text : std::string();
+      },
+      "");
   command
       .add_option("--map", arguments.map, "a map file (.graph or .json), or a shipped map's name")
       ->required();
@@ -38,7 +44,7 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--episodes", options.episodes, "how many episodes, 1 … 1000000")
       ->capture_default_str();
   command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative)
       ->capture_default_str();
   command.add_option("--speed", options.speed_mps, "of every robot, m/s")->capture_default_str();
   command
