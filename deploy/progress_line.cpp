@@ -18,16 +18,17 @@ std::string Seconds(const std::optional<double>& seconds) {
   return seconds ? fmt::format("{:.2f} s", *seconds) : std::string("…");
 }
 
+/// What matters most comes first: a narrow terminal cuts the rest.
 std::string Describe(const ProgressFigures& figures) {
-  std::string line = fmt::format(
-      "{:3.0f} %  {:.0f} decisions/s  {:.0f} updates/s  replay {}/{}  lag {:.0f} versions  AGI {} "
-      "(best classical {})",
-      100.0 * std::min(1.0, figures.progress), figures.decisions_per_s, figures.updates_per_s,
-      figures.replay_size, figures.replay_capacity, figures.policy_lag_versions,
-      Seconds(figures.agi_s), Seconds(figures.best_classical_s));
+  std::string line = fmt::format("{:3.0f} %", 100.0 * std::min(1.0, figures.progress));
   if (figures.left_s) line += fmt::format("  {} left", FormatDuration(*figures.left_s));
   if (!figures.waiting.empty()) line += "  " + figures.waiting;
-  return line;
+  return line + fmt::format(
+                    "  AGI {} (best classical {})  {:.0f} decisions/s  {:.0f} updates/s  "
+                    "replay {}/{}  lag {:.0f} versions",
+                    Seconds(figures.agi_s), Seconds(figures.best_classical_s),
+                    figures.decisions_per_s, figures.updates_per_s, figures.replay_size,
+                    figures.replay_capacity, figures.policy_lag_versions);
 }
 
 /// Cut to the terminal's width, so that it stays one line. Counts bytes: a little early is fine.
