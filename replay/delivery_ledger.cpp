@@ -10,19 +10,28 @@ constexpr std::size_t kMaxCredits = 128;  // as many as a status message holds
 }  // namespace
 
 std::uint32_t DeliveryLedger::Accept(const TransitionBatch& batch) {
+  // What was meant for a former replay may name an oldest unconfirmed number that is out of date.
+  if (batch.replay_incarnation != replay_incarnation_) {
+    ++ignored_;
+    return batch.count;
+  }
   const Key key{batch.actor, batch.actor_incarnation};
+  const std::uint64_t before = batch.oldest_unconfirmed - 1;
   auto entry = entries_.find(key);
   if (entry == entries_.end()) {
-    const std::uint64_t before = batch.oldest_unconfirmed - 1;
     entry = entries_.emplace(key, Entry{before, before, before}).first;
     auto& newest = newest_[batch.actor];
     newest = std::max(newest, batch.actor_incarnation);
   }
-  if (batch.count == 0) return 0;
   Entry& actor = entry->second;
+  if (before > actor.stored_through) {  // a former replay confirmed it: it will not come again
+    actor.started_after += before - actor.stored_through;
+    actor.stored_through = before;
+    actor.window_end = std::max(actor.window_end, before);
+  }
+  if (batch.count == 0) return 0;
   const std::uint64_t end = batch.first_sequence + batch.count;
-  if (batch.replay_incarnation != replay_incarnation_ ||
-      batch.first_sequence > actor.stored_through + 1) {
+  if (batch.first_sequence > actor.stored_through + 1) {
     ++ignored_;
     return batch.count;
   }

@@ -44,7 +44,7 @@ class DeliveryLedger {
 
  private:
   struct Entry {
-    std::uint64_t started_after = 0;
+    std::uint64_t started_after = 0;  // stored_through less what was stored here
     std::uint64_t stored_through = 0;
     std::uint64_t window_end = 0;
   };

@@ -7,6 +7,7 @@
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
 
+#include <algorithm>
 #include <mutex>
 
 #include "common/base/error.h"
@@ -64,7 +65,8 @@ fastdds::DomainParticipantQos ToQos(const ParticipantOptions& options) {
   wire.builtin.initialPeersList.push_back(LoopbackLocator());
   auto& discovery = wire.builtin.discovery_config;
   discovery.leaseDuration = ToDuration(options.participant_lease);
-  discovery.leaseDuration_announcementperiod = ToDuration(options.participant_lease / 4);
+  discovery.leaseDuration_announcementperiod =
+      ToDuration(std::min(options.participant_lease / 4, std::chrono::milliseconds(1000)));
   discovery.initial_announcements.count = 5;
   discovery.initial_announcements.period = ToDuration(std::chrono::milliseconds(100));
   return qos;

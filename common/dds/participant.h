@@ -17,11 +17,13 @@ inline constexpr int kMaxDomain = 232;  // the last one whose ports fit in 16 bi
 inline constexpr int kMaxParticipants = 100;
 
 struct ParticipantOptions {
-  int domain = 0;                                     // 0 … kMaxDomain
-  std::string run_id;                                 // the partition: only equal ones meet
-  std::string name;                                   // of this process, for tools
-  int socket_buffer_bytes = 4 << 20;                  // asked for; what the kernel gives is enough
-  std::chrono::milliseconds participant_lease{4000};  // a silent peer is dropped after it
+  int domain = 0;                     // 0 … kMaxDomain
+  std::string run_id;                 // the partition: only equal ones meet
+  std::string name;                   // of this process, for tools
+  int socket_buffer_bytes = 4 << 20;  // asked for; what the kernel gives is enough
+  // A silent peer is dropped after it. Long, since no write waits for it, and since this version
+  // does not always match again after one side alone has dropped the other.
+  std::chrono::milliseconds participant_lease{30'000};
 };
 
 class Participant {

@@ -130,6 +130,37 @@ TEST_CASE(
   CHECK(std::filesystem::exists(run.folder() / "checkpoints" / "latest.ronda"));
 }
 
+TEST_CASE(
+    "A run goes on after each role was paused for six seconds, with nothing lost or doubled") {
+  const TemporaryFolder temporary;
+  LaunchedRun run(temporary.path() / "run", TrainFourNodes("1000000000"));
+  REQUIRE(WaitUntil([&] { return run.StoredTransitions() > 2000; }, seconds(60)));
+  for (const char* victim : {"ronda-actor", "ronda-replay", "ronda-learner"}) {
+    const auto pids = ChildrenNamed(run.pid(), victim);
+    REQUIRE_FALSE(pids.empty());
+    const double paused_at_s = run.State()["wall_s"];
+    kill(pids.front(), SIGSTOP);
+    REQUIRE(WaitUntil([&] { return run.State()["wall_s"].get<double>() > paused_at_s + 6.0; },
+                      seconds(60)));
+    kill(pids.front(), SIGCONT);
+    const std::uint64_t stored = run.StoredTransitions();
+    const auto version = run.State()["totals"]["weights_version"].get<std::uint64_t>();
+    REQUIRE(WaitUntil(
+        [&] {
+          return run.StoredTransitions() > stored + 2000 &&
+                 run.State()["totals"]["weights_version"].get<std::uint64_t>() > version + 5;
+        },
+        seconds(60)));
+  }
+
+  run.Signal(SIGTERM);
+  CHECK(run.WaitForEnd(seconds(30)).code == 128 + SIGTERM);
+  const auto summary = run.Summary();
+  CheckCounts(summary);
+  CHECK(summary["transitions_lost"] == 0);
+  CHECK(summary["restarts"] == nlohmann::json({{"actor", 0}, {"replay", 0}, {"learner", 0}}));
+}
+
 TEST_CASE("Killing the launcher ends its children, and the run folder can be taken over") {
   const TemporaryFolder temporary;
   std::vector<pid_t> children;

@@ -57,6 +57,24 @@ TEST_CASE("A batch that was meant for another replay is ignored") {
   CHECK(sut.stored() == 0);
 }
 
+TEST_CASE("A late batch for a former replay does not register an actor at an outdated number") {
+  DeliveryLedger sut(kReplay);
+  TransitionBatch late = Batch(11, 10, 11);
+  late.replay_incarnation = kReplay - 1;
+  sut.Accept(late);
+
+  CHECK(sut.Credits().empty());
+}
+
+TEST_CASE("What a former replay confirmed is not waited for, nor counted as stored here") {
+  DeliveryLedger sut(kReplay);
+  sut.Accept(Batch(11, 0, 11));
+
+  CHECK(sut.Accept(Batch(31, 10, 31)) == 0);
+  CHECK(sut.stored() == 10);
+  CHECK(sut.Credits().at(0).stored_through == 40);
+}
+
 TEST_CASE("Windows never fall and what is promised stays within the room") {
   DeliveryLedger sut(kReplay);
   for (std::uint32_t actor = 0; actor < 3; ++actor) sut.Accept(Batch(1, 0, 1, actor));

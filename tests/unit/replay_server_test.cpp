@@ -40,6 +40,7 @@ TransitionBatch Numbered(std::uint64_t first, std::uint32_t count) {
 TransitionBatch Hello() {
   TransitionBatch batch;
   batch.shape = kShape;
+  batch.replay_incarnation = kReplay;
   return batch;
 }
 
