@@ -79,9 +79,9 @@ int Body(int argc, char** argv, std::stop_token stop) {
   Every report_due(milliseconds(200));
   while (!stop.stop_requested()) {
     if (const RunControl* news = control.Newest()) actor.set_progress(news->progress);
-    constexpr int kBetweenPolls = 100;
+    constexpr int kInARow = 100;
     int decisions = 0;
-    while (decisions < kBetweenPolls && actor.Step() > 0) ++decisions;
+    while (decisions < kInARow && actor.Step() > 0) ++decisions;
     const bool throttled = decisions == 0;
     if (report_due.Due(std::chrono::steady_clock::now())) {
       reports.Send(Report(options, actor, sink, weights, throttled));
@@ -91,6 +91,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   }
   const bool confirmed = sink.Drain(milliseconds(800));
   reports.Send(Report(options, actor, sink, weights, false));
+  reports.Flush(milliseconds(100));
   if (!confirmed)
     LogWarning("stopped before everything was confirmed: {} of {} sent", sink.confirmed(),
                sink.sent());

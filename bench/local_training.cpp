@@ -4,18 +4,17 @@
 //   build/release/bin/local_training [MAP] [AGENTS] [DECISIONS] [SEED] [KEY=VALUE …]
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <deque>
 
 #include "actor/actor.h"
 #include "actor/actor_config.h"
 #include "common/evaluation/policy_strategy.h"
 #include "common/evaluation/protocol.h"
+#include "common/policies/network_config.h"
 #include "common/policies/q_policy.h"
-#include "common/run/paths.h"
-#include "common/world/closed_walk.h"
-#include "common/world/graph_file.h"
+#include "deploy/train_setup.h"
 #include "learner/learner.h"
 #include "learner/learner_config.h"
 #include "replay/replay_config.h"
@@ -81,30 +80,23 @@ double Agi(const PolicyFile& policy, const StrategyContext& context, int agents,
 }
 
 int Run(int argc, char** argv) {
-  const std::string map = argc > 1 ? argv[1] : "cumberland";
-  Config config;
-  config.Set("run.agents=" + std::string(argc > 2 ? argv[2] : "10"));
-  const auto budget = std::strtoull(argc > 3 ? argv[3] : "300000", nullptr, 10);
-  config.Set("run.seed=" + std::string(argc > 4 ? argv[4] : "1"));
-  for (int i = 5; i < argc; ++i) config.Set(argv[i]);
-
-  const PatrolGraph graph = LoadMap(map, MapsFolder(), EdgeLengthSource::kEuclidean, nullptr);
-  const ShortestPaths paths(graph);
-  const ClosedWalk walk = ClosedWalkOf(graph, paths);
-  const StrategyContext context{.graph = &graph, .paths = &paths, .closed_walk = &walk};
-  RunConfig run = ReadRunConfig(config);
-  ActorConfig actor_config = ReadActorConfig(config, run);
-  actor_config.environment.closed_walk_m = walk.length_m;
-  const ObservationEncoder encoder(graph, paths, actor_config.environment.observation);
-  run.shape.observation_size = static_cast<std::uint32_t>(encoder.observation_size());
-  run.shape.num_actions = static_cast<std::uint32_t>(encoder.num_actions());
-  run.features = encoder.features_per_candidate();
-  run.schema = Schema(encoder.scheme());
+  TrainArguments arguments;
+  arguments.map = argc > 1 ? argv[1] : "cumberland";
+  arguments.agents = argc > 2 ? std::atoi(argv[2]) : 10;
+  arguments.decisions = argc > 3 ? std::atoll(argv[3]) : 300'000;
+  arguments.seed = argc > 4 ? std::atoll(argv[4]) : 1;
+  arguments.settings.assign(argv + std::min(argc, 5), argv + argc);
+  const TrainSetup setup(arguments, std::nullopt);
+  const RunConfig& run = setup.run();
+  const StrategyContext& context = setup.context();
+  const std::uint64_t budget = run.budget_decisions;
+  Config config = Config::FromString(setup.resolved(), "resolved");
   const LearnerConfig learner_config = ReadLearnerConfig(config, run);
   const ReplayServerConfig replay_config = ReadReplayConfig(config, run);
-  config.RejectUnknown();
+  ActorConfig actor_config = setup.actor();
+  actor_config.environment.closed_walk_m = context.closed_walk->length_m;
 
-  PatrolEnvironment environment(graph, paths, actor_config.environment);
+  PatrolEnvironment environment(*context.graph, *context.paths, actor_config.environment);
   QPolicy policy(learner_config.dqn.network);
   ReplayServer replay(replay_config, 1, SplitSeed(run.seed, 7));
   Dqn dqn(learner_config.dqn);
@@ -113,9 +105,7 @@ int Run(int argc, char** argv) {
       environment, policy, ports, ports,
       {.seed = run.seed, .n_step = actor_config.n_steps, .exploration = actor_config.exploration});
   Learner learner(dqn, ports, ports, ports, {.incarnation = 1});
-  PolicyFile file;
-  file.spec = learner_config.dqn.network;
-  file.map = map;
+  PolicyFile file = PolicyOf(run);
 
   const auto began = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point clock{};

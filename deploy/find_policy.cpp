@@ -6,6 +6,26 @@
 #include "common/run/paths.h"
 
 namespace ronda {
+namespace {
+
+std::optional<std::filesystem::path> Checkpoint(const std::filesystem::path& run_folder,
+                                                const char* name) {
+  auto file = run_folder / "checkpoints" / name;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+  return file;
+}
+
+std::optional<std::filesystem::path> LatestPolicyOf(const std::filesystem::path& run_folder) {
+  return Checkpoint(run_folder, "latest.ronda");
+}
+
+}  // namespace
+
+std::optional<std::filesystem::path> PolicyOfRun(const std::filesystem::path& run_folder) {
+  const auto best = Checkpoint(run_folder, "best.ronda");
+  return best ? best : LatestPolicyOf(run_folder);
+}
 
 std::filesystem::path FindPolicyFile(const std::string& policy) {
   constexpr std::string_view kLatest = "@latest";
@@ -15,11 +35,8 @@ std::filesystem::path FindPolicyFile(const std::string& policy) {
   const std::filesystem::path folder =
       latest ? policy.substr(0, policy.size() - kLatest.size()) : policy;
   if (std::filesystem::is_directory(folder, error)) {
-    const auto checkpoints = folder / "checkpoints";
-    for (const char* name : {"best.ronda", "latest.ronda"}) {
-      if (latest && std::string_view(name) == "best.ronda") continue;
-      if (std::filesystem::is_regular_file(checkpoints / name, error)) return checkpoints / name;
-    }
+    const auto found = latest ? LatestPolicyOf(folder) : PolicyOfRun(folder);
+    if (found) return *found;
     throw InputError(fmt::format("{}: this folder holds no trained policy (checkpoints/{}.ronda)",
                                  folder.string(), latest ? "latest" : "best"));
   }

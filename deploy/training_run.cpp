@@ -18,10 +18,12 @@
 #include "common/dds/weights_reader.h"
 #include "common/policies/network_config.h"
 #include "common/run/every.h"
+#include "common/run/incarnation.h"
 #include "common/run/metrics_log.h"
 #include "common/run/paths.h"
 #include "common/run/run_domain.h"
 #include "deploy/cluster.h"
+#include "deploy/find_policy.h"
 #include "deploy/progress_line.h"
 #include "deploy/summary.h"
 #include "deploy/training_evaluator.h"
@@ -38,12 +40,6 @@ constexpr std::chrono::seconds kLongestSilence{120};  // without any transition:
 constexpr milliseconds kStopGrace{1300};              // twice, and some judging: all within 3 s
 constexpr std::uint64_t kEvaluationSeed = 1'000'003;  // far from the seeds that are reported
 
-std::uint64_t MicrosecondsSinceEpoch() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return static_cast<std::uint64_t>(
-      std::chrono::duration_cast<std::chrono::microseconds>(now).count());
-}
-
 double Seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 TrainingEvaluatorConfig EvaluatorConfig(const TrainSetup& setup, const RunFolder& folder) {
@@ -54,10 +50,7 @@ TrainingEvaluatorConfig EvaluatorConfig(const TrainSetup& setup, const RunFolder
   config.episodes = setup.evaluation_episodes();
   config.step = setup.evaluation_step();
   config.seed = kEvaluationSeed + setup.run().seed;
-  config.policy.spec = NetworkOf(setup.run());
-  config.policy.map = setup.run().map;
-  config.policy.agents = setup.run().agents;
-  config.policy.training = fmt::format("{}, seed {}", setup.run().algorithm, setup.run().seed);
+  config.policy = PolicyOf(setup.run());
   config.checkpoints = folder.checkpoints();
   return config;
 }
@@ -71,7 +64,7 @@ class Session {
         before_(ReadRunState(folder.path())),
         state_(before_),
         ledger_(before_.totals),
-        run_id_(fmt::format("{}-{}", getpid(), MicrosecondsSinceEpoch())),
+        run_id_(fmt::format("{}-{}", getpid(), NewIncarnation())),
         domain_(std::hash<std::string>{}(folder.path().string())),
         participant_({.domain = domain_.domain(),
                       .run_id = run_id_,
@@ -153,8 +146,7 @@ void Session::TakeReport(const ProcessReport& report) {
                           count("decisions"));
   } else if (report.role == "learner") {
     state_.updates = count("updates");
-    state_.totals.weights_version =
-        std::max(state_.totals.weights_version, count("weights_version"));
+    ledger_.OnWeightsVersion(count("weights_version"));
     policy_lag_versions_ = metric("policy_lag_versions");
   }
 }
@@ -197,14 +189,12 @@ std::optional<int> Session::Supervise(Cluster& cluster, Clock::time_point now) {
 }
 
 void Session::UpdateState(const Cluster& cluster, Clock::time_point now) {
-  const std::uint64_t version = state_.totals.weights_version;
   const RunTotals totals = ledger_.Totals();
   if (totals.stored > state_.totals.stored) {
     if (!first_transition_) first_transition_ = now;
     last_transition_ = now;
   }
   state_.totals = totals;
-  state_.totals.weights_version = version;
   state_.wall_s = before_.wall_s + Seconds(now - began_);
   state_.training_s =
       before_.training_s + (first_transition_ ? Seconds(now - *first_transition_) : 0.0);
@@ -275,8 +265,8 @@ int Session::Run(std::stop_token stop) {
                    .domain = domain_.domain(),
                    .run_id = run_id_,
                    .actors = static_cast<std::uint32_t>(setup_.run().actors),
-                   .first_incarnation = MicrosecondsSinceEpoch()},
-                  [this] { return state_.totals.weights_version; });
+                   .first_incarnation = NewIncarnation()},
+                  [this] { return ledger_.Totals().weights_version; });
   line_.Event(
       fmt::format("run {} (DDS domain {}): replay, learner and {} actor{} started; logs in {}",
                   folder_.path().string(), domain_.domain(), setup_.run().actors,
@@ -321,23 +311,23 @@ int Session::End(Cluster& cluster, std::stop_token stop, std::optional<int> fail
   return failure.value_or(0);
 }
 
-void Session::Summarise(std::stop_token, bool hurry) {
+void Session::Summarise(std::stop_token stop, bool hurry) {
   RunSummary summary{.state = state_, .agi_s = {}, .yardstick = evaluator_.yardstick()};
-  // In a hurry the judging gets half a second, and is given up after it.
-  std::stop_source late;
-  std::jthread clock([&](std::stop_token done) {
-    const auto deadline = Clock::now() + (hurry ? milliseconds(500) : milliseconds(600'000));
-    while (!done.stop_requested() && Clock::now() < deadline) {
-      std::this_thread::sleep_for(milliseconds(10));
-    }
-    late.request_stop();
-  });
-  for (const char* name : {"best.ronda", "latest.ronda"}) {
-    const auto file = folder_.checkpoints() / name;
-    if (!std::filesystem::exists(file)) continue;
+  if (const auto file = PolicyOfRun(folder_.path())) {
+    // In a hurry the judging gets half a second, and is given up after it.
+    std::stop_source late;
+    std::jthread clock([&](std::stop_token done) {
+      const auto deadline = Clock::now() + milliseconds(hurry ? 500 : 600'000);
+      const auto give_up = [&] {
+        return Clock::now() > deadline || (!hurry && stop.stop_requested());
+      };
+      while (!done.stop_requested() && !give_up()) {
+        std::this_thread::sleep_for(milliseconds(10));
+      }
+      late.request_stop();
+    });
     summary.agi_s =
-        ReportedAgi(ReadPolicyFile(file), evaluator_config_, setup_.context(), late.get_token());
-    break;
+        ReportedAgi(ReadPolicyFile(*file), evaluator_config_, setup_.context(), late.get_token());
   }
   WriteWholeFile(folder_.summary_file(), SummaryAsJson(summary, setup_.run()));
   fmt::print("{}", FormatSummary(summary, setup_.run(), folder_.path().string()));

@@ -28,6 +28,10 @@ void TransitionLedger::OnRefusals(std::uint64_t incarnation, std::uint64_t messa
   refused_[incarnation] = std::max(refused_[incarnation], messages);
 }
 
+void TransitionLedger::OnWeightsVersion(std::uint64_t version) {
+  weights_version_ = std::max(weights_version_, version);
+}
+
 void TransitionLedger::OnActorDeath(std::uint32_t index, std::uint64_t incarnation) {
   actors_[{index, incarnation}].dead = true;
 }
@@ -38,6 +42,7 @@ void TransitionLedger::OnReplayDeath(std::uint64_t incarnation) {
 
 RunTotals TransitionLedger::Totals() const {
   RunTotals totals = before_;
+  totals.weights_version = std::max(totals.weights_version, weights_version_);
   for (const auto& [key, actor] : actors_) {
     // A report may be older than the status: what is stored was sent.
     const std::uint64_t sent = std::max(actor.sent, actor.stored_through);

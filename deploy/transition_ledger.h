@@ -36,11 +36,11 @@ class TransitionLedger {
                      std::uint64_t confirmed, std::uint64_t decisions);
   /// Messages that a process other than the replay has refused, by its start.
   void OnRefusals(std::uint64_t incarnation, std::uint64_t messages);
+  void OnWeightsVersion(std::uint64_t version);  // the largest counts
   void OnActorDeath(std::uint32_t actor, std::uint64_t incarnation);
   /// The replay of this incarnation died without being asked to stop: what it held is forgotten.
   void OnReplayDeath(std::uint64_t incarnation);
 
-  /// weights_version is left as it came in.
   RunTotals Totals() const;
 
  private:
@@ -58,6 +58,7 @@ class TransitionLedger {
   };
 
   RunTotals before_;
+  std::uint64_t weights_version_ = 0;
   std::map<std::pair<std::uint32_t, std::uint64_t>, Actor> actors_;
   std::map<std::uint64_t, Replay> replays_;
   std::map<std::uint64_t, std::uint64_t> refused_;  // messages, by incarnation

@@ -1,6 +1,5 @@
 // ronda-learner: takes mini-batches from the replay, improves the policy, and publishes its
 // weights.
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "common/dds/participant.h"
 #include "common/dds/report_writer.h"
 #include "common/dds/weights_writer.h"
+#include "common/policies/network_config.h"
 #include "common/policies/policy_file.h"
 #include "common/run/every.h"
 #include "common/run/log.h"
@@ -39,11 +39,7 @@ void Save(const Dqn& dqn, const Learner& learner, const RunConfig& run,
           const std::filesystem::path& checkpoints) {
   WriteLearnerCheckpoint(checkpoints,
                          {.algorithm = dqn.Save(), .weights_version = learner.weights_version()});
-  PolicyFile policy;
-  policy.spec = dqn.config().network;
-  policy.map = run.map;
-  policy.agents = run.agents;
-  policy.training = fmt::format("{}, seed {}", run.algorithm, run.seed);
+  PolicyFile policy = PolicyOf(run);
   policy.version = learner.weights_version();
   policy.updates = dqn.updates();
   const auto weights = dqn.parameters();
@@ -109,6 +105,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   learner.Publish(std::chrono::steady_clock::now());
   Save(dqn, learner, run, checkpoints);
   reports.Send(Report(options, dqn, learner, batches, false));
+  reports.Flush(milliseconds(100));
   LogInfo("stopped after update {}, checkpoint written", dqn.updates());
   return 0;
 }

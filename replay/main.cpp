@@ -95,6 +95,8 @@ int Body(int argc, char** argv, std::stop_token stop) {
   Serve(server, endpoint);
   endpoint.SendStatus(status());
   reports.Send(Report(options, status()));
+  endpoint.Flush(milliseconds(100));
+  reports.Flush(milliseconds(100));
   LogInfo("stopped with {} transitions", status().size);
   return 0;
 }

@@ -137,8 +137,6 @@ Participant::Participant(const ParticipantOptions& options)
 
 Participant::~Participant() = default;
 
-int Participant::domain() const { return impl_->domain; }
-
 const std::string& Participant::socket_buffer_report() const { return impl_->socket_buffer_report; }
 
 }  // namespace ronda::dds

@@ -33,7 +33,6 @@ class Participant {
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
 
-  int domain() const;
   /// One sentence for the log: the socket buffers asked for and what the kernel grants.
   const std::string& socket_buffer_report() const;
 

@@ -48,7 +48,6 @@ class PatrolEnvironment final : public Environment {
 
   const PatrolWorld& world() const { return world_; }
   const ObservationEncoder& encoder() const { return encoder_; }
-  const RewardScale& reward_scale() const { return scale_; }
 
  private:
   /// A decision under way: made at `made_s`; `count` decisions of this agent so far.

@@ -1,5 +1,7 @@
 #include "common/policies/network_config.h"
 
+#include <fmt/format.h>
+
 namespace ronda {
 
 NetworkSpec NetworkOf(const RunConfig& run) {
@@ -12,6 +14,15 @@ NetworkSpec NetworkOf(const RunConfig& run) {
   spec.layer_norm = run.layer_norm;
   spec.schema = run.schema;
   return spec;
+}
+
+PolicyFile PolicyOf(const RunConfig& run) {
+  PolicyFile policy;
+  policy.spec = NetworkOf(run);
+  policy.map = run.map;
+  policy.agents = run.agents;
+  policy.training = fmt::format("{}, seed {}", run.algorithm, run.seed);
+  return policy;
 }
 
 }  // namespace ronda

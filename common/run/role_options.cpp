@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdlib>
 
 #include "common/base/error.h"
+#include "common/run/incarnation.h"
 
 namespace ronda {
 
@@ -37,11 +37,7 @@ RoleOptions ParseRoleOptions(const std::string& role, const std::string& purpose
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }
-  if (options.incarnation == 0) {
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    options.incarnation = static_cast<std::uint64_t>(
-        std::chrono::duration_cast<std::chrono::microseconds>(now).count());
-  }
+  if (options.incarnation == 0) options.incarnation = NewIncarnation();
   return options;
 }
 

@@ -133,14 +133,13 @@ void CheckNothingLostOrDoubled(const std::vector<Life>& lives, std::uint64_t las
   CHECK(stored_through == last_number);
 }
 
-TEST_CASE("a replay that is killed three times costs no transition and doubles none") {
+void CheckThreeKills(int domain, int buffer_bytes) {
   constexpr std::uint64_t kQuarter = 10'000;
-  constexpr int kBuffer_bytes = 4 << 20;
-  KilledReplay replay(kKilledReplayDomain, kBuffer_bytes);
-  dds::Participant participant({.domain = kKilledReplayDomain,
+  KilledReplay replay(domain, buffer_bytes);
+  dds::Participant participant({.domain = domain,
                                 .run_id = TestRun(),
                                 .name = "actor",
-                                .socket_buffer_bytes = kBuffer_bytes});
+                                .socket_buffer_bytes = buffer_bytes});
   NumberingActor sut(participant);
 
   const auto lives = SendThroughThreeKills(replay, sut, kQuarter);
@@ -149,20 +148,12 @@ TEST_CASE("a replay that is killed three times costs no transition and doubles n
   CheckNothingLostOrDoubled(lives, 4 * kQuarter);
 }
 
+TEST_CASE("a replay that is killed three times costs no transition and doubles none") {
+  CheckThreeKills(kKilledReplayDomain, 4 << 20);
+}
+
 TEST_CASE("the same with the socket buffers that the kernel gives without being told") {
-  constexpr std::uint64_t kQuarter = 10'000;
-  constexpr int kBuffer_bytes = 212'992;
-  KilledReplay replay(kSmallBuffersDomain, kBuffer_bytes);
-  dds::Participant participant({.domain = kSmallBuffersDomain,
-                                .run_id = TestRun(),
-                                .name = "actor",
-                                .socket_buffer_bytes = kBuffer_bytes});
-  NumberingActor sut(participant);
-
-  const auto lives = SendThroughThreeKills(replay, sut, kQuarter);
-
-  CHECK(sut.writer.confirmed() == 4 * kQuarter);
-  CheckNothingLostOrDoubled(lives, 4 * kQuarter);
+  CheckThreeKills(kSmallBuffersDomain, 212'992);
 }
 
 TEST_CASE("no write waits for a reader that was killed") {

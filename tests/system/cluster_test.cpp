@@ -28,6 +28,15 @@ std::vector<std::string> TrainFourNodes(const std::string& decisions) {
           decisions};
 }
 
+/// From now on transitions are stored and weights published: the whole circle works.
+bool GoesOn(const LaunchedRun& run) {
+  const std::uint64_t stored = run.StoredTransitions();
+  const auto version = run.WeightsVersion();
+  return WaitUntil(
+      [&] { return run.StoredTransitions() > stored + 2000 && run.WeightsVersion() > version + 5; },
+      seconds(60));
+}
+
 /// What must hold of every run's summary, whatever happened.
 void CheckCounts(const nlohmann::json& summary) {
   REQUIRE_FALSE(summary.is_null());
@@ -93,9 +102,8 @@ TEST_CASE(
     "cost") {
   const TemporaryFolder temporary;
   LaunchedRun run(temporary.path() / "run", TrainFourNodes("1000000000"));
-  std::uint64_t stored = 0;
   for (const char* victim : {"ronda-actor", "ronda-replay", "ronda-learner"}) {
-    stored = run.StoredTransitions();
+    const std::uint64_t stored = run.StoredTransitions();
     REQUIRE(WaitUntil([&] { return run.StoredTransitions() > stored + 2000; }, seconds(60)));
     const auto before = ChildrenNamed(run.pid(), victim);
     REQUIRE_FALSE(before.empty());
@@ -108,14 +116,7 @@ TEST_CASE(
         },
         seconds(30)));
   }
-  stored = run.StoredTransitions();
-  const auto version = run.State()["totals"]["weights_version"].get<std::uint64_t>();
-  REQUIRE(WaitUntil(
-      [&] {
-        return run.StoredTransitions() > stored + 2000 &&
-               run.State()["totals"]["weights_version"].get<std::uint64_t>() > version + 5;
-      },
-      seconds(60)));
+  REQUIRE(GoesOn(run));
 
   run.Signal(SIGTERM);
   const ExitStatus status = run.WaitForEnd(seconds(30));
@@ -143,14 +144,7 @@ TEST_CASE(
     REQUIRE(WaitUntil([&] { return run.State()["wall_s"].get<double>() > paused_at_s + 6.0; },
                       seconds(60)));
     kill(pids.front(), SIGCONT);
-    const std::uint64_t stored = run.StoredTransitions();
-    const auto version = run.State()["totals"]["weights_version"].get<std::uint64_t>();
-    REQUIRE(WaitUntil(
-        [&] {
-          return run.StoredTransitions() > stored + 2000 &&
-                 run.State()["totals"]["weights_version"].get<std::uint64_t>() > version + 5;
-        },
-        seconds(60)));
+    REQUIRE(GoesOn(run));
   }
 
   run.Signal(SIGTERM);

@@ -87,4 +87,9 @@ std::uint64_t LaunchedRun::StoredTransitions() const {
   return state.is_null() ? 0 : state["totals"]["stored"].get<std::uint64_t>();
 }
 
+std::uint64_t LaunchedRun::WeightsVersion() const {
+  const auto state = State();
+  return state.is_null() ? 0 : state["totals"]["weights_version"].get<std::uint64_t>();
+}
+
 }  // namespace ronda

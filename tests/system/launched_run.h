@@ -42,6 +42,7 @@ class LaunchedRun {
   nlohmann::json Summary() const;           // summary.json; null where there is none
   nlohmann::json State() const;             // state.json; null where there is none
   std::uint64_t StoredTransitions() const;  // as of the last state.json
+  std::uint64_t WeightsVersion() const;
   const std::filesystem::path& folder() const { return run_folder_; }
 
  private:
