@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "common/base/error.h"
 #include "common/base/whole_file.h"
+#include "deploy/totals_json.h"
 
 namespace ronda {
 
 using Json = nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BestPolicy, agi_s, second_half)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunTotals, decisions, sent, stored, in_flight, lost, doubled,
-                                   forgotten, messages_refused, weights_version)
 
 RunState ReadRunState(const std::filesystem::path& run_folder) {
   const auto path = run_folder / "state.json";

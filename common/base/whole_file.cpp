@@ -45,7 +45,7 @@ std::string ReadWholeFile(const std::filesystem::path& path) {
   }
 }
 
-void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes) {
+void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes, Sync sync) {
   std::filesystem::path temporary = path;
   temporary += ".tmp";
   try {
@@ -53,12 +53,13 @@ void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes) {
         ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
     if (!file.is_open()) Fail(path, "written");
     WriteAll(file, bytes, path);
-    if (::fsync(file.number()) != 0) Fail(path, "written");
+    if (sync == Sync::kYes && ::fsync(file.number()) != 0) Fail(path, "written");
     if (::rename(temporary.c_str(), path.c_str()) != 0) Fail(path, "written");
   } catch (const InputError&) {
     ::unlink(temporary.c_str());
     throw;
   }
+  if (sync == Sync::kNo) return;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.is_open()) ::fsync(directory.number());  // best effort: some file systems refuse

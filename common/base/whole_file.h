@@ -11,9 +11,13 @@ namespace ronda {
 
 std::string ReadWholeFile(const std::filesystem::path& path);
 
-/// Readers see the old bytes or the new ones, also after a crash: writes `path.tmp`, fsync, rename,
-/// fsync of the folder. One writer a path.
-void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes);
+enum class Sync { kYes, kNo };
+
+/// Readers see the old bytes or the new ones, also after a crash of the machine: writes `path.tmp`,
+/// fsync, rename, fsync of the folder. Without the syncs (kNo) such a crash may leave neither. One
+/// writer a path.
+void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes,
+                    Sync sync = Sync::kYes);
 
 /// The last lines of a text file, oldest first; looks at its last 64 KiB only. Empty where it
 /// cannot be read.
