@@ -8,6 +8,7 @@
 // stream that follows from (seed, i, e) alone. Environment, policy and ports must outlive it.
 // Thread-compatible.
 // InputError for options out of range. Source: thesis §2.2, §2.4; Horgan et al. 2018.
+#include <algorithm>
 #include <cstdint>
 
 #include "actor/exploration.h"
@@ -46,6 +47,8 @@ class Actor {
   int Step();
 
   void set_progress(double progress) { progress_ = progress; }
+  /// How many actors the run has now; fewer than this one's index says: this one is leaving.
+  void set_actors(int actors) { options_.actors = std::max(actors, options_.index + 1); }
   double epsilon() const;
   bool closed() const { return closed_; }  // the sink takes no more
   const ActorCounters& counters() const { return counters_; }

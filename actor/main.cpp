@@ -26,6 +26,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
+/// A replay that was killed is back by then. The launcher waits for less at the end of a run.
+constexpr milliseconds kLongestDrain{10'000};
+
 ProcessReport Report(const RoleOptions& options, const Actor& actor,
                      const dds::ExperienceWriter& sink, const dds::WeightsReader& weights,
                      bool throttled) {
@@ -78,7 +81,10 @@ int Body(int argc, char** argv, std::stop_token stop) {
                .exploration = config.exploration});
   Every report_due(milliseconds(200));
   while (!stop.stop_requested()) {
-    if (const RunControl* news = control.Newest()) actor.set_progress(news->progress);
+    if (const RunControl* news = control.Newest()) {
+      actor.set_progress(news->progress);
+      actor.set_actors(static_cast<int>(news->actors));
+    }
     constexpr int kInARow = 100;
     int decisions = 0;
     while (decisions < kInARow && actor.Step() > 0) ++decisions;
@@ -89,7 +95,8 @@ int Body(int argc, char** argv, std::stop_token stop) {
     for (const auto& refusal : weights.TakeRefusals()) LogWarning("{}", refusal);
     if (throttled) sink.Wait(milliseconds(20));
   }
-  const bool confirmed = sink.Drain(milliseconds(800));
+  reports.Send(Report(options, actor, sink, weights, false));  // drained or not, it is counted
+  const bool confirmed = sink.Drain(kLongestDrain);
   reports.Send(Report(options, actor, sink, weights, false));
   reports.Flush(milliseconds(100));
   if (!confirmed)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <set>
 #include <thread>
 
 #include "common/base/error.h"
@@ -11,6 +12,8 @@ namespace ronda {
 namespace {
 
 constexpr std::size_t kLogLines = 5;
+constexpr int kCannotBeLoaded = 127;             // what the system's loader exits with
+constexpr std::chrono::seconds kLeaveGrace{15};  // an actor waits 10 s for its confirmations
 
 /// Whether the same would come again however often the process is started.
 bool IsFinal(const ExitStatus& status) {
@@ -18,6 +21,21 @@ bool IsFinal(const ExitStatus& status) {
   const auto code = static_cast<ExitCode>(status.code);
   return code == ExitCode::kUsage || code == ExitCode::kInput || code == ExitCode::kCheckpoint ||
          code == ExitCode::kDivergence;
+}
+
+/// What a process does that SIGTERM has asked to stop (run/process.h).
+bool StoppedWell(const ExitStatus& status) {
+  return status.signal == 0 && (status.code == 0 || status.code == 128 + SIGTERM);
+}
+
+std::string LastWords(const std::vector<std::string>& log) {
+  return log.empty() ? "it said nothing" : log.back();
+}
+
+/// What was the matter with a child that exits is in its last line; a signal leaves no word.
+std::string HowItEnded(const ExitStatus& status, const std::vector<std::string>& log) {
+  if (status.signal != 0) return status.Description();
+  return fmt::format("{} ({})", status.Description(), LastWords(log));
 }
 
 }  // namespace
@@ -43,15 +61,36 @@ Cluster::Cluster(const ClusterOptions& options, std::function<std::uint64_t()> w
       weights_version_(std::move(weights_version)),
       next_incarnation_(options.first_incarnation) {
   const auto now = std::chrono::steady_clock::now();
-  const auto add = [&](Role role, std::uint32_t index) {
-    Member& member = members_.emplace_back();
-    member.role = role;
-    member.index = index;
-  };
-  add(Role::kReplay, 0);
-  add(Role::kLearner, 0);
-  for (std::uint32_t i = 0; i < options.actors; ++i) add(Role::kActor, i);
-  for (Member& member : members_) Start(member, now);
+  Add(Role::kReplay, 0, now);
+  Add(Role::kLearner, 0, now);
+  AddWantedActors(now);
+}
+
+void Cluster::Add(Role role, std::uint32_t index, TimePoint now) {
+  Member& member = members_.emplace_back();
+  member.role = role;
+  member.index = index;
+  Start(member, now);
+}
+
+void Cluster::AddWantedActors(TimePoint now) {
+  std::set<std::uint32_t> there;
+  for (const Member& member : members_) {
+    if (member.role == Role::kActor) there.insert(member.index);
+  }
+  for (std::uint32_t i = 0; i < options_.actors; ++i) {
+    if (!there.contains(i)) Add(Role::kActor, i, now);  // one that still leaves comes back later
+  }
+}
+
+void Cluster::DismissUnwantedActors(TimePoint now) {
+  for (Member& member : members_) {
+    const bool wanted = member.role != Role::kActor || member.index < options_.actors;
+    if (wanted || member.kill_at) continue;
+    member.kill_at = now + kLeaveGrace;
+    if (member.child) member.child->Signal(SIGTERM);
+  }
+  members_.remove_if([](const Member& member) { return member.kill_at && !member.child; });
 }
 
 std::filesystem::path Cluster::LogFile(const Member& member) const {
@@ -84,51 +123,79 @@ void Cluster::Start(Member& member, TimePoint now) {
   member.child.reset();
   member.child.emplace(options_.program_folder / fmt::format("ronda-{}", RoleName(member.role)),
                        arguments, LogFile(member));
-  ++member.starts;
+  if (member.starts++ > 0) ++restarts_[member.role];
 }
 
-Death Cluster::Bury(Member& member, const ExitStatus& status, TimePoint now) {
-  Death death{.role = member.role,
-              .index = member.index,
-              .incarnation = member.incarnation,
-              .description = {},
-              .log = member.child->LastLogLines(kLogLines),
-              .run_ends_with = {}};
+Ending Cluster::EndingOf(const Member& member) const {
+  return {.role = member.role,
+          .index = member.index,
+          .incarnation = member.incarnation,
+          .description = {},
+          .log = member.child->LastLogLines(kLogLines),
+          .run_ends_with = {}};
+}
+
+Ending Cluster::Farewell(Member& member, const ExitStatus& status) {
+  Ending ending = EndingOf(member);
+  if (StoppedWell(status)) {
+    ending.description = member.Name() + " has left";
+    ending.log.clear();
+  } else {
+    ending.description = fmt::format("{} (process {}) was to leave, and ended with {}",
+                                     member.Name(), member.child->pid(), status.Description());
+  }
+  member.child.reset();
+  return ending;
+}
+
+Ending Cluster::Bury(Member& member, const ExitStatus& status, TimePoint now) {
+  Ending death = EndingOf(member);
   const RestartLimits limits;
-  const std::string how = fmt::format("{} (process {}) ended with {}", member.Name(),
-                                      member.child->pid(), status.Description());
+  member.last_error = HowItEnded(status, death.log);
+  const std::string who = fmt::format("{} (process {})", member.Name(), member.child->pid());
   member.child.reset();
   member.start_again = member.policy.Died(member.started, now);
-  if (IsFinal(status)) {
+  if (status.code == kCannotBeLoaded) {
+    death.run_ends_with = static_cast<int>(ExitCode::kChildGaveUp);
+    death.description = fmt::format(
+        "{} cannot be loaded: {}; deploy/setup.sh installs the libraries that Ronda needs", who,
+        LastWords(death.log));
+  } else if (IsFinal(status)) {
     death.run_ends_with = status.code;
-    death.description = how + "; starting it again would not help";
+    death.description =
+        fmt::format("{} ended with {}; starting it again would not help", who, member.last_error);
   } else if (!member.start_again) {
     death.run_ends_with = static_cast<int>(ExitCode::kChildGaveUp);
-    death.description =
-        fmt::format("{}; {} deaths without {} healthy seconds between them, giving up", how,
-                    limits.most_deaths, limits.healthy.count() / 1000);
+    death.description = fmt::format(
+        "{} ended with {}; {} deaths without {} healthy seconds between them, giving up", who,
+        member.last_error, limits.most_deaths, limits.healthy.count() / 1000);
   } else {
     const std::chrono::duration<double> wait = *member.start_again - now;
-    death.description = fmt::format("{}; starting it again in {:.1f} s", how, wait.count());
+    death.description = fmt::format("{} ended with {}; starting it again in {:.1f} s", who,
+                                    member.last_error, wait.count());
   }
   return death;
 }
 
-std::vector<Death> Cluster::Supervise(TimePoint now) {
-  std::vector<Death> deaths;
+std::vector<Ending> Cluster::Supervise(TimePoint now) {
+  std::vector<Ending> endings;
+  DismissUnwantedActors(now);
   for (Member& member : members_) {
     if (member.child) {
-      if (const auto status = member.child->Poll()) deaths.push_back(Bury(member, *status, now));
+      if (member.kill_at && now >= *member.kill_at) member.child->Signal(SIGKILL);
+      const auto status = member.child->Poll();
+      if (!status) continue;
+      endings.push_back(member.kill_at ? Farewell(member, *status) : Bury(member, *status, now));
     } else if (member.start_again && now >= *member.start_again) {
       Start(member, now);
     }
   }
-  return deaths;
+  AddWantedActors(now);
+  return endings;
 }
 
 void Cluster::StopRoles(const std::function<bool(Role)>& chosen, std::chrono::milliseconds grace,
-                        const std::function<void()>& while_waiting,
-                        std::vector<std::string>& killed) {
+                        const std::function<void()>& while_waiting, std::vector<Ending>& unwell) {
   const auto running = [&](Member& member) {
     return chosen(member.role) && member.child && !member.child->Poll();
   };
@@ -147,27 +214,53 @@ void Cluster::StopRoles(const std::function<bool(Role)>& chosen, std::chrono::mi
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   for (Member& member : members_) {
-    if (!running(member)) continue;
-    killed.push_back(member.Name());
-    member.child->Signal(SIGKILL);
-    member.child->WaitFor(std::chrono::seconds(1));
+    if (!chosen(member.role) || !member.child) continue;
+    const bool late = running(member);
+    if (late) {
+      member.child->Signal(SIGKILL);
+      member.child->WaitFor(std::chrono::seconds(1));
+    }
+    const ExitStatus status = member.child->Poll().value_or(ExitStatus{});
+    if (!late && StoppedWell(status)) continue;
+    Ending ending = EndingOf(member);
+    if (late) {
+      ending.description = member.Name() + " did not stop in time and was killed";
+    } else {
+      ending.description =
+          fmt::format("{} ended with {}", member.Name(), HowItEnded(status, ending.log));
+      if (status.signal == 0) ending.run_ends_with = status.code;
+    }
+    unwell.push_back(ending);
   }
 }
 
-std::vector<std::string> Cluster::Stop(std::chrono::milliseconds grace,
-                                       const std::function<void()>& while_waiting) {
-  std::vector<std::string> killed;
-  StopRoles([](Role role) { return role != Role::kReplay; }, grace, while_waiting, killed);
-  StopRoles([](Role role) { return role == Role::kReplay; }, grace, while_waiting, killed);
-  return killed;
+std::vector<Ending> Cluster::Stop(std::chrono::milliseconds grace,
+                                  const std::function<void()>& while_waiting) {
+  std::vector<Ending> unwell;
+  StopRoles([](Role role) { return role != Role::kReplay; }, grace, while_waiting, unwell);
+  StopRoles([](Role role) { return role == Role::kReplay; }, grace, while_waiting, unwell);
+  return unwell;
+}
+
+std::vector<ChildFacts> Cluster::Children() const {
+  std::vector<ChildFacts> children;
+  for (const Member& member : members_) {
+    children.push_back({.role = member.role,
+                        .index = member.index,
+                        .pid = member.child ? member.child->pid() : 0,
+                        .incarnation = member.incarnation,
+                        .restarts = member.starts - 1,
+                        .leaving = member.kill_at.has_value(),
+                        .last_error = member.last_error,
+                        .started = member.started,
+                        .start_again = member.start_again});
+  }
+  return children;
 }
 
 int Cluster::restarts(Role role) const {
-  int restarts = 0;
-  for (const Member& member : members_) {
-    if (member.role == role) restarts += member.starts - 1;
-  }
-  return restarts;
+  const auto found = restarts_.find(role);
+  return found == restarts_.end() ? 0 : found->second;
 }
 
 }  // namespace ronda

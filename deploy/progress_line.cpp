@@ -19,16 +19,19 @@ std::string Seconds(const std::optional<double>& seconds) {
 }
 
 /// What matters most comes first: a narrow terminal cuts the rest.
-std::string Describe(const ProgressFigures& figures) {
-  std::string line = fmt::format("{:3.0f} %", 100.0 * std::min(1.0, figures.progress));
-  if (figures.left_s) line += fmt::format("  {} left", FormatDuration(*figures.left_s));
-  if (!figures.waiting.empty()) line += "  " + figures.waiting;
+std::string Describe(const RunStatus& status) {
+  std::string line = fmt::format("{:3.0f} %", 100.0 * status.progress);
+  if (status.left_s) line += fmt::format("  {} left", FormatDuration(*status.left_s));
+  if (status.state == "starting") line += "  waiting for the first transitions";
+  for (const std::string& problem : status.problems) line += "  " + problem;
+  const std::optional<double> agi_s =
+      status.curve.empty() ? std::nullopt : std::optional(status.curve.back().agi_s);
   return line + fmt::format(
                     "  AGI {} (best classical {})  {:.0f} decisions/s  {:.0f} updates/s  "
-                    "replay {}/{}  lag {:.0f} versions",
-                    Seconds(figures.agi_s), Seconds(figures.best_classical_s),
-                    figures.decisions_per_s, figures.updates_per_s, figures.replay_size,
-                    figures.replay_capacity, figures.policy_lag_versions);
+                    "replay {}/{}  {} actors",
+                    Seconds(agi_s), Seconds(status.best_classical_agi_s), status.decisions_per_s,
+                    status.updates_per_s, status.replay_size, status.replay_capacity,
+                    status.actors_wanted);
 }
 
 /// Cut to the terminal's width, so that it stays one line. Counts bytes: a little early is fine.
@@ -48,14 +51,14 @@ std::string Cut(std::string line) {
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDOUT_FILENO) != 0) {}
 
-void ProgressLine::Show(const ProgressFigures& figures) {
+void ProgressLine::Show(const RunStatus& status) {
   const auto now = Clock::now();
   if (terminal_) {
-    fmt::print("\r\033[K{}", Cut(Describe(figures)));
+    fmt::print("\r\033[K{}", Cut(Describe(status)));
     drawn_ = true;
   } else if (now >= next_plain_) {
     next_plain_ = now + kPlainEvery;
-    fmt::print("{}\n", Describe(figures));
+    fmt::print("{}\n", Describe(status));
   }
   std::fflush(stdout);
 }

@@ -4,29 +4,16 @@
 //
 // Events (a child died) go above the line. Thread-compatible.
 #include <chrono>
-#include <cstdint>
-#include <optional>
 #include <string>
 
-namespace ronda {
+#include "deploy/run_status.h"
 
-struct ProgressFigures {
-  double progress = 0.0;
-  double decisions_per_s = 0.0;
-  double updates_per_s = 0.0;
-  std::uint64_t replay_size = 0;
-  std::uint64_t replay_capacity = 0;
-  double policy_lag_versions = 0.0;
-  std::optional<double> agi_s;  // newest evaluation
-  std::optional<double> best_classical_s;
-  std::optional<double> left_s;  // of the budget
-  std::string waiting;           // who waits for what; empty: nobody
-};
+namespace ronda {
 
 class ProgressLine {
  public:
   ProgressLine();
-  void Show(const ProgressFigures& figures);
+  void Show(const RunStatus& status);
   void Event(const std::string& text);
   void End();  // leaves the line standing
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "common/base/error.h"
@@ -21,6 +22,7 @@ RunState ReadRunState(const std::filesystem::path& run_folder) {
   if (!file) return state;
   try {
     const Json json = Json::parse(file);
+    state.begun_unix_s = json.value("begun_unix_s", 0.0);
     json.at("totals").get_to(state.totals);
     json.at("training_s").get_to(state.training_s);
     json.at("wall_s").get_to(state.wall_s);
@@ -35,13 +37,20 @@ RunState ReadRunState(const std::filesystem::path& run_folder) {
 }
 
 void WriteRunState(const std::filesystem::path& run_folder, const RunState& state) {
-  Json json{{"totals", state.totals},
-            {"training_s", state.training_s},
-            {"wall_s", state.wall_s},
-            {"updates", state.updates},
-            {"restarts", state.restarts}};
+  Json json{{"begun_unix_s", state.begun_unix_s}, {"totals", state.totals},
+            {"training_s", state.training_s},     {"wall_s", state.wall_s},
+            {"updates", state.updates},           {"restarts", state.restarts}};
   if (state.best) json["best"] = *state.best;
   WriteWholeFile(run_folder / "state.json", json.dump(1) + "\n");
+}
+
+double Progress(const RunConfig& run, double training_s, std::uint64_t decisions) {
+  const double by_time = run.budget_s > 0.0 ? training_s / run.budget_s : 0.0;
+  const double by_decisions =
+      run.budget_decisions > 0
+          ? static_cast<double>(decisions) / static_cast<double>(run.budget_decisions)
+          : 0.0;
+  return std::max(by_time, by_decisions);
 }
 
 }  // namespace ronda

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "common/run/run_config.h"
 #include "deploy/transition_ledger.h"
 
 namespace ronda {
@@ -22,6 +23,7 @@ struct BestPolicy {
 };
 
 struct RunState {
+  double begun_unix_s = 0.0;  // when the folder's first session did
   RunTotals totals;
   double training_s = 0.0;  // since the first transition, over all sessions
   double wall_s = 0.0;
@@ -33,5 +35,8 @@ struct RunState {
 /// A new state where the folder has none.
 RunState ReadRunState(const std::filesystem::path& run_folder);
 void WriteRunState(const std::filesystem::path& run_folder, const RunState& state);
+
+/// Share of the budget that is used: the larger of the two shares; 0 where there is no limit.
+double Progress(const RunConfig& run, double training_s, std::uint64_t decisions);
 
 }  // namespace ronda

@@ -22,11 +22,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChannelStatus, topic, from, to, messages, byt
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CurvePoint, training_s, agi_s)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunEvent, unix_s, text)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunStatus, map, agents, algorithm, state, exit_status,
-                                   launcher_pid, domain, run_id, written_unix_s, progress,
-                                   training_s, left_s, updates, decisions_per_s, updates_per_s,
-                                   replay_size, replay_capacity, totals, actors_wanted, curve,
-                                   best_agi_s, best_classical, best_classical_agi_s,
-                                   lower_bound_agi_s, processes, channels, events, problems)
+                                   launcher_pid, domain, run_id, begun_unix_s, written_unix_s,
+                                   progress, training_s, left_s, updates, decisions_per_s,
+                                   updates_per_s, replay_size, replay_capacity, totals,
+                                   actors_wanted, curve, best_agi_s, best_classical,
+                                   best_classical_agi_s, lower_bound_agi_s, processes, channels,
+                                   events, problems)
 
 std::string RunStatusAsJson(const RunStatus& status) {
   return nlohmann::json(status).dump(1) + "\n";

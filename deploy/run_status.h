@@ -63,7 +63,8 @@ struct RunStatus {
   std::int64_t launcher_pid = 0;
   int domain = 0;
   std::string run_id;
-  double written_unix_s = 0.0;
+  double begun_unix_s = 0.0;    // the folder's first session
+  double written_unix_s = 0.0;  // this picture
 
   double progress = 0.0;  // share of the budget, 0 … 1
   double training_s = 0.0;

@@ -170,10 +170,20 @@ void TrainingEvaluator::Finish(bool hurry) {
 }
 
 std::optional<Estimate> ReportedAgi(const PolicyFile& policy, const TrainingEvaluatorConfig& config,
-                                    const StrategyContext& context, std::stop_token stop) {
+                                    const StrategyContext& context, std::stop_token stop,
+                                    std::chrono::milliseconds at_most) {
+  std::stop_source give_up;
+  const std::jthread clock([&](std::stop_token done) {
+    const auto deadline = std::chrono::steady_clock::now() + at_most;
+    while (!done.stop_requested() && !stop.stop_requested() &&
+           std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    give_up.request_stop();
+  });
   const auto result = Evaluate(
       context, [&] { return MakePolicyStrategy(policy, context); },
-      OptionsOf(config, kReportedEpisodes, kReportedSeed, 0), nullptr, std::move(stop));
+      OptionsOf(config, kReportedEpisodes, kReportedSeed, 0), nullptr, give_up.get_token());
   if (!result) return std::nullopt;
   return MeanWithInterval(result->agi_s());
 }

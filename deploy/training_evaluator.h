@@ -6,6 +6,7 @@
 // whenever progress has moved by `step`, the newest weights on evaluation seeds that nobody
 // reports, and the best goes to checkpoints/best.ronda. Policies of the second half of the budget
 // are preferred to those of the first, whose weights are still in motion. Thread-safe.
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -67,8 +68,10 @@ class TrainingEvaluator {
   std::unique_ptr<State> state_;
 };
 
-/// AGI of a policy file: steady protocol, 20 episodes, seed 1; nullopt when `stop` came first.
+/// AGI of a policy file: steady protocol, 20 episodes, seed 1; nullopt when `stop` came first, or
+/// when it took longer than `at_most`.
 std::optional<Estimate> ReportedAgi(const PolicyFile& policy, const TrainingEvaluatorConfig& config,
-                                    const StrategyContext& context, std::stop_token stop);
+                                    const StrategyContext& context, std::stop_token stop,
+                                    std::chrono::milliseconds at_most);
 
 }  // namespace ronda

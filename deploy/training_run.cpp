@@ -5,15 +5,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <functional>
-#include <map>
-#include <thread>
+#include <set>
 
 #include "common/base/error.h"
 #include "common/base/whole_file.h"
 #include "common/dds/control_writer.h"
 #include "common/dds/participant.h"
 #include "common/dds/report_reader.h"
+#include "common/dds/report_writer.h"
 #include "common/dds/status_reader.h"
 #include "common/dds/weights_reader.h"
 #include "common/policies/network_config.h"
@@ -24,10 +25,15 @@
 #include "common/run/run_domain.h"
 #include "deploy/cluster.h"
 #include "deploy/find_policy.h"
+#include "deploy/learning_curve.h"
 #include "deploy/progress_line.h"
+#include "deploy/rate_meter.h"
+#include "deploy/run_status.h"
+#include "deploy/status_board.h"
 #include "deploy/summary.h"
 #include "deploy/training_evaluator.h"
 #include "deploy/transition_ledger.h"
+#include "deploy/wanted_actors.h"
 
 namespace ronda {
 namespace {
@@ -35,9 +41,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr std::chrono::seconds kQuiet{2};             // then the line says who waits for what
+constexpr std::chrono::seconds kQuiet{5};             // without any transition: said as a problem
 constexpr std::chrono::seconds kLongestSilence{120};  // without any transition: the run ends
 constexpr milliseconds kStopGrace{1300};              // twice, and some judging: all within 3 s
+constexpr std::size_t kEvents = 50;
 constexpr std::uint64_t kEvaluationSeed = 1'000'003;  // far from the seeds that are reported
 
 double Seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -53,6 +60,10 @@ TrainingEvaluatorConfig EvaluatorConfig(const TrainSetup& setup, const RunFolder
   config.policy = PolicyOf(setup.run());
   config.checkpoints = folder.checkpoints();
   return config;
+}
+
+double UnixNow() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 /// A session's parts and what they have reported so far.
@@ -76,10 +87,14 @@ class Session {
         weights_(participant_, ArchitectureHash(NetworkOf(setup.run()))),
         evaluator_config_(EvaluatorConfig(setup, folder)),
         evaluator_(evaluator_config_, setup.context(), weights_, before_.best),
-        metrics_(folder.metrics_file(), "ronda") {
+        metrics_(folder.metrics_file(), "ronda"),
+        curve_(ReadLearningCurve(folder.metrics_file())),
+        actors_(setup.run().actors) {
     for (const Role role : {Role::kActor, Role::kReplay, Role::kLearner}) {
       state_.restarts.try_emplace(RoleName(role), 0);
     }
+    if (state_.begun_unix_s == 0.0) state_.begun_unix_s = UnixNow();
+    WriteWantedActors(folder.path(), actors_);
   }
 
   int Run(std::stop_token stop);
@@ -87,12 +102,20 @@ class Session {
  private:
   void Listen();
   void TakeReport(const ProcessReport& report);
+  void Event(const std::string& text);
+  /// A full disk does not end a run: said once, and again when what is written gets through.
+  void Keep(const std::string& what, const std::function<void()>& write);
+  void CountDeath(const Ending& ending);
+  void FollowWantedActors(Cluster& cluster);
   std::optional<int> Supervise(Cluster& cluster, Clock::time_point now);
-  std::string WhoWaits() const;
   /// The exit status of a run in which nothing moves any more.
-  std::optional<int> CheckProgress(Clock::time_point now);
+  std::optional<int> CheckProgress(const Cluster& cluster, Clock::time_point now);
   void UpdateState(const Cluster& cluster, Clock::time_point now);
-  void Show(Clock::time_point now);
+  double progress() const {
+    return Progress(setup_.run(), state_.training_s, state_.totals.decisions);
+  }
+  RunStatus Picture(const Cluster& cluster, Clock::time_point now) const;
+  void TakeEvaluations();
   void LogMetrics();
   int End(Cluster& cluster, std::stop_token stop, std::optional<int> failure);
   void Summarise(std::stop_token stop, bool hurry);
@@ -113,21 +136,39 @@ class Session {
   TrainingEvaluator evaluator_;
   MetricsLog metrics_;
   ProgressLine line_;
+  StatusBoard board_;
+  std::deque<RunEvent> events_;  // the last kEvents
+  std::vector<CurvePoint> curve_;
+  int actors_;                                    // wanted
+  std::string refused_actors_;                    // what the file says that is no such number
+  std::map<std::string, std::string> unwritten_;  // what → why
+  std::string why_;                               // the run failed
 
   Clock::time_point began_ = Clock::now();
   std::optional<Clock::time_point> first_transition_;
   ReplayStatus status_;
-  double policy_lag_versions_ = 0.0;
   Clock::time_point last_transition_ = Clock::now();
-  std::map<std::string, std::string> states_;  // what each process said last of itself
-  std::optional<double> agi_s_;
-  // For rates: what the last line showed.
-  Clock::time_point shown_ = Clock::now();
-  std::uint64_t shown_decisions_ = before_.totals.decisions;
-  std::uint64_t shown_updates_ = before_.updates;
-  double decisions_per_s_ = 0.0;
-  double updates_per_s_ = 0.0;
+  RateMeter decisions_{before_.totals.decisions, Clock::now()};
+  RateMeter updates_{before_.updates, Clock::now()};
+  double policy_lag_versions_ = 0.0;
 };
+
+void Session::Event(const std::string& text) {
+  events_.push_back({.unix_s = UnixNow(), .text = text});
+  if (events_.size() > kEvents) events_.pop_front();
+  line_.Event(text);
+}
+
+void Session::Keep(const std::string& what, const std::function<void()>& write) {
+  try {
+    write();
+    if (unwritten_.erase(what) > 0) Event(what + " is written again");
+  } catch (const InputError& error) {
+    if (unwritten_.emplace(what, error.what()).second) {
+      Event(fmt::format("{} is not kept: {}; the run goes on and tries again", what, error.what()));
+    }
+  }
+}
 
 void Session::TakeReport(const ProcessReport& report) {
   const auto metric = [&](std::string_view name) {
@@ -139,8 +180,8 @@ void Session::TakeReport(const ProcessReport& report) {
   const auto count = [&](std::string_view name) {
     return static_cast<std::uint64_t>(metric(name));
   };
+  board_.OnReport(report, Clock::now());
   ledger_.OnRefusals(report.incarnation, count("messages_refused"));
-  states_[fmt::format("{} {}", report.role, report.index)] = report.state;
   if (report.role == "actor") {
     ledger_.OnActorReport(report.index, report.incarnation, count("sent"), count("confirmed"),
                           count("decisions"));
@@ -161,29 +202,44 @@ void Session::Listen() {
   }
 }
 
-std::string Session::WhoWaits() const {
-  std::string text;
-  for (const auto& [process, state] : states_) {
-    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", process, state);
+void Session::FollowWantedActors(Cluster& cluster) {
+  int wanted = actors_;
+  try {
+    wanted = ReadWantedActors(folder_.path());
+    refused_actors_.clear();
+  } catch (const InputError& error) {
+    if (refused_actors_ != error.what()) Event(error.what());
+    refused_actors_ = error.what();
   }
-  return text.empty() ? "no process has reported yet" : text;
+  if (wanted == actors_) return;
+  Event(fmt::format("{} → {} actors", actors_, wanted));
+  actors_ = wanted;
+  cluster.set_actors(static_cast<std::uint32_t>(wanted));
 }
 
-std::optional<int> Session::CheckProgress(Clock::time_point now) {
+std::optional<int> Session::CheckProgress(const Cluster& cluster, Clock::time_point now) {
   if (now - last_transition_ < kLongestSilence) return std::nullopt;
-  line_.Event(fmt::format("no transition was stored for {} s, giving up; {}",
-                          std::chrono::seconds(kLongestSilence).count(), WhoWaits()));
+  why_ = fmt::format("no transition was stored for {} s, giving up; {}",
+                     std::chrono::seconds(kLongestSilence).count(),
+                     board_.WhoWaits(cluster.Children()));
+  Event(why_);
   return static_cast<int>(ExitCode::kTransport);
+}
+
+void Session::CountDeath(const Ending& ending) {
+  if (ending.role == Role::kActor) ledger_.OnActorDeath(ending.index, ending.incarnation);
+  if (ending.role == Role::kReplay) ledger_.OnReplayDeath(ending.incarnation);
 }
 
 std::optional<int> Session::Supervise(Cluster& cluster, Clock::time_point now) {
   std::optional<int> failure;
-  for (const Death& death : cluster.Supervise(now)) {
-    line_.Event(death.description);
-    for (const auto& text : death.log) line_.Event("    | " + text);
-    if (death.role == Role::kActor) ledger_.OnActorDeath(death.index, death.incarnation);
-    if (death.role == Role::kReplay) ledger_.OnReplayDeath(death.incarnation);
-    if (death.run_ends_with) failure = death.run_ends_with;
+  for (const Ending& ending : cluster.Supervise(now)) {
+    Event(ending.description);
+    for (const auto& text : ending.log) line_.Event("    | " + text);
+    CountDeath(ending);
+    if (!ending.run_ends_with) continue;
+    failure = ending.run_ends_with;
+    why_ = ending.description;
   }
   return failure;
 }
@@ -206,56 +262,77 @@ void Session::UpdateState(const Cluster& cluster, Clock::time_point now) {
   state_.best = evaluator_.best();
 }
 
-void Session::Show(Clock::time_point now) {
-  const double elapsed_s = Seconds(now - shown_);
-  if (elapsed_s >= 1.0) {
-    decisions_per_s_ = static_cast<double>(state_.totals.decisions - shown_decisions_) / elapsed_s;
-    updates_per_s_ =
-        static_cast<double>(state_.updates - std::min(shown_updates_, state_.updates)) / elapsed_s;
-    shown_ = now;
-    shown_decisions_ = state_.totals.decisions;
-    shown_updates_ = state_.updates;
-  }
+RunStatus Session::Picture(const Cluster& cluster, Clock::time_point now) const {
   const RunConfig& run = setup_.run();
-  ProgressFigures figures;
-  figures.progress = Progress(run, state_.training_s, state_.totals.decisions);
-  figures.decisions_per_s = decisions_per_s_;
-  figures.updates_per_s = updates_per_s_;
-  figures.replay_size = status_.size;
-  figures.replay_capacity = status_.capacity;
-  figures.policy_lag_versions = policy_lag_versions_;
-  figures.agi_s = agi_s_;
-  if (const auto yardstick = evaluator_.yardstick())
-    figures.best_classical_s = yardstick->agi_s.mean;
-  if (figures.progress > 0.0) {
-    // The larger share ends the run; it has grown evenly since the folder's beginning.
-    figures.left_s = std::max(0.0, state_.training_s * (1.0 / figures.progress - 1.0));
+  RunStatus picture;
+  picture.map = run.map;
+  picture.agents = run.agents;
+  picture.algorithm = run.algorithm;
+  picture.state = first_transition_ ? "running" : "starting";
+  picture.launcher_pid = getpid();
+  picture.domain = domain_.domain();
+  picture.run_id = run_id_;
+  picture.begun_unix_s = state_.begun_unix_s;
+  picture.written_unix_s = UnixNow();
+  picture.progress = std::min(1.0, progress());
+  picture.training_s = state_.training_s;
+  // The larger share ends the run; it has grown evenly since the folder's beginning.
+  if (progress() > 0.0) {
+    picture.left_s = std::max(0.0, state_.training_s * (1.0 / progress() - 1.0));
   }
-  if (!first_transition_) {
-    figures.waiting = "waiting for the first transitions";
-  } else if (now - last_transition_ > kQuiet) {
-    figures.waiting = WhoWaits();
+  picture.updates = state_.updates;
+  picture.decisions_per_s = decisions_.per_s();
+  picture.updates_per_s = updates_.per_s();
+  picture.replay_size = status_.size;
+  picture.replay_capacity = status_.capacity;
+  picture.totals = state_.totals;
+  picture.actors_wanted = actors_;
+  picture.curve = curve_;
+  if (state_.best) picture.best_agi_s = state_.best->agi_s;
+  if (const auto yardstick = evaluator_.yardstick()) {
+    picture.best_classical = yardstick->strategy;
+    picture.best_classical_agi_s = yardstick->agi_s.mean;
+    picture.lower_bound_agi_s = yardstick->bounds.agi_s;
   }
-  line_.Show(figures);
+  board_.Fill(cluster.Children(), now, picture);
+  if (now - last_transition_ > kQuiet) {
+    picture.problems.push_back(fmt::format("no transition was stored for {:.0f} s; {}",
+                                           Seconds(now - last_transition_),
+                                           board_.WhoWaits(cluster.Children())));
+  }
+  for (const auto& [what, why] : unwritten_) {
+    picture.problems.push_back(fmt::format("{} is not kept: {}", what, why));
+  }
+  picture.events.assign(events_.begin(), events_.end());
+  return picture;
+}
+
+void Session::TakeEvaluations() {
+  for (const PolicyEvaluation& evaluation : evaluator_.TakeNew()) {
+    curve_.push_back({.training_s = state_.training_s, .agi_s = evaluation.agi_s});
+    Keep("metrics.jsonl", [&] {
+      metrics_.Append(state_.training_s,
+                      {{"kind", "evaluation"},
+                       {"progress", evaluation.progress},
+                       {"updates", static_cast<std::int64_t>(evaluation.updates)},
+                       {"agi_s", evaluation.agi_s}});
+    });
+  }
 }
 
 void Session::LogMetrics() {
   const auto whole = [](std::uint64_t value) { return static_cast<std::int64_t>(value); };
-  for (const PolicyEvaluation& evaluation : evaluator_.TakeNew()) {
-    agi_s_ = evaluation.agi_s;
-    metrics_.Append(state_.training_s, {{"kind", "evaluation"},
-                                        {"progress", evaluation.progress},
-                                        {"updates", whole(evaluation.updates)},
-                                        {"agi_s", evaluation.agi_s}});
-  }
-  metrics_.Append(state_.training_s, {{"kind", "progress"},
-                                      {"decisions", whole(state_.totals.decisions)},
-                                      {"updates", whole(state_.updates)},
-                                      {"decisions_per_s", decisions_per_s_},
-                                      {"updates_per_s", updates_per_s_},
-                                      {"replay_size", whole(status_.size)},
-                                      {"policy_lag_versions", policy_lag_versions_},
-                                      {"transitions_stored", whole(state_.totals.stored)}});
+  Keep("metrics.jsonl", [&] {
+    metrics_.Append(state_.training_s, {{"kind", "progress"},
+                                        {"actors", std::int64_t{actors_}},
+                                        {"decisions", whole(state_.totals.decisions)},
+                                        {"updates", whole(state_.updates)},
+                                        {"decisions_per_s", decisions_.per_s()},
+                                        {"updates_per_s", updates_.per_s()},
+                                        {"replay_size", whole(status_.size)},
+                                        {"policy_lag_versions", policy_lag_versions_},
+                                        {"transitions_stored", whole(state_.totals.stored)}});
+  });
 }
 
 int Session::Run(std::stop_token stop) {
@@ -264,13 +341,12 @@ int Session::Run(std::stop_token stop) {
                    .config_file = folder_.config_file(),
                    .domain = domain_.domain(),
                    .run_id = run_id_,
-                   .actors = static_cast<std::uint32_t>(setup_.run().actors),
+                   .actors = static_cast<std::uint32_t>(actors_),
                    .first_incarnation = NewIncarnation()},
                   [this] { return ledger_.Totals().weights_version; });
-  line_.Event(
-      fmt::format("run {} (DDS domain {}): replay, learner and {} actor{} started; logs in {}",
-                  folder_.path().string(), domain_.domain(), setup_.run().actors,
-                  setup_.run().actors == 1 ? "" : "s", folder_.logs().string()));
+  Event(fmt::format("run {} (DDS domain {}): replay, learner and {} actor{} started; logs in {}",
+                    folder_.path().string(), domain_.domain(), actors_, actors_ == 1 ? "" : "s",
+                    folder_.logs().string()));
   Every control_due(milliseconds(100));
   Every show_due(milliseconds(500));
   Every log_due(milliseconds(1000));
@@ -281,68 +357,84 @@ int Session::Run(std::stop_token stop) {
     Listen();
     const auto now = Clock::now();
     failure = Supervise(cluster, now);
-    if (!failure) failure = CheckProgress(now);
+    if (!failure) failure = CheckProgress(cluster, now);
     UpdateState(cluster, now);
-    const double progress = Progress(setup_.run(), state_.training_s, state_.totals.decisions);
-    if (progress >= 1.0) break;
-    evaluator_.set_progress(progress);
-    if (control_due.Due(now)) control_.Publish({.progress = progress});
+    if (progress() >= 1.0) break;
+    evaluator_.set_progress(progress());
+    if (control_due.Due(now)) {
+      FollowWantedActors(cluster);
+      control_.Publish({.progress = progress(), .actors = static_cast<std::uint32_t>(actors_)});
+    }
+    decisions_.Count(state_.totals.decisions, now);
+    updates_.Count(state_.updates, now);
+    TakeEvaluations();
     if (log_due.Due(now)) LogMetrics();
-    if (show_due.Due(now)) Show(now);
-    if (save_due.Due(now)) WriteRunState(folder_.path(), state_);
+    if (show_due.Due(now)) {
+      ProcessReport own;
+      own.role = "launcher";
+      dds::AddTraffic(participant_, own);
+      board_.OnReport(own, now);
+      const RunStatus picture = Picture(cluster, now);
+      line_.Show(picture);
+      Keep("status.json", [&] { WriteRunStatus(folder_.path(), picture); });
+    }
+    if (save_due.Due(now)) Keep("state.json", [&] { WriteRunState(folder_.path(), state_); });
   }
   return End(cluster, stop, failure);
 }
 
 int Session::End(Cluster& cluster, std::stop_token stop, std::optional<int> failure) {
   const bool hurry = stop.stop_requested() || failure.has_value();
-  for (const auto& name : cluster.Stop(kStopGrace, [this] { Listen(); })) {
-    line_.Event(name + " did not stop in time and was killed");
+  RunStatus last = Picture(cluster, Clock::now());
+  last.state = "stopping";
+  Keep("status.json", [&] { WriteRunStatus(folder_.path(), last); });
+  for (const Ending& ending : cluster.Stop(kStopGrace, [this] { Listen(); })) {
+    Event(ending.description);
+    CountDeath(ending);
+    if (failure || !ending.run_ends_with) continue;
+    failure = ending.run_ends_with;
+    why_ = ending.description;
   }
   reports_.Wait(milliseconds(20));
   Listen();
   UpdateState(cluster, Clock::now());
   evaluator_.Finish(hurry);
   state_.best = evaluator_.best();
+  TakeEvaluations();
   LogMetrics();
   line_.End();
-  WriteRunState(folder_.path(), state_);
+  Keep("state.json", [&] { WriteRunState(folder_.path(), state_); });
   Summarise(std::move(stop), hurry);
+  if (!failure && !unwritten_.empty()) {
+    failure = static_cast<int>(ExitCode::kCheckpoint);
+    why_ = unwritten_.begin()->second;
+  }
+
+  last = Picture(cluster, Clock::now());
+  last.state = failure ? "failed" : progress() >= 1.0 ? "finished" : "stopped";
+  last.exit_status = failure.value_or(0);
+  last.processes.clear();
+  last.problems.clear();
+  if (failure) last.problems.push_back(why_);
+  Keep("status.json", [&] { WriteRunStatus(folder_.path(), last); });
   return failure.value_or(0);
 }
 
 void Session::Summarise(std::stop_token stop, bool hurry) {
   RunSummary summary{.state = state_, .agi_s = {}, .yardstick = evaluator_.yardstick()};
   if (const auto file = PolicyOfRun(folder_.path())) {
-    // In a hurry the judging gets half a second, and is given up after it.
-    std::stop_source late;
-    std::jthread clock([&](std::stop_token done) {
-      const auto deadline = Clock::now() + milliseconds(hurry ? 500 : 600'000);
-      const auto give_up = [&] {
-        return Clock::now() > deadline || (!hurry && stop.stop_requested());
-      };
-      while (!done.stop_requested() && !give_up()) {
-        std::this_thread::sleep_for(milliseconds(10));
-      }
-      late.request_stop();
-    });
-    summary.agi_s =
-        ReportedAgi(ReadPolicyFile(*file), evaluator_config_, setup_.context(), late.get_token());
+    // In a hurry it is given up after half a second, and a stop that has come already does not end
+    // it before.
+    summary.agi_s = ReportedAgi(ReadPolicyFile(*file), evaluator_config_, setup_.context(),
+                                hurry ? std::stop_token() : std::move(stop),
+                                milliseconds(hurry ? 500 : 600'000));
   }
-  WriteWholeFile(folder_.summary_file(), SummaryAsJson(summary, setup_.run()));
+  Keep("summary.json",
+       [&] { WriteWholeFile(folder_.summary_file(), SummaryAsJson(summary, setup_.run())); });
   fmt::print("{}", FormatSummary(summary, setup_.run(), folder_.path().string()));
 }
 
 }  // namespace
-
-double Progress(const RunConfig& run, double training_s, std::uint64_t decisions) {
-  const double by_time = run.budget_s > 0.0 ? training_s / run.budget_s : 0.0;
-  const double by_decisions =
-      run.budget_decisions > 0
-          ? static_cast<double>(decisions) / static_cast<double>(run.budget_decisions)
-          : 0.0;
-  return std::max(by_time, by_decisions);
-}
 
 int RunTraining(const TrainSetup& setup, const RunFolder& folder, std::stop_token stop) {
   Session session(setup, folder);

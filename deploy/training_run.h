@@ -14,7 +14,4 @@ namespace ronda {
 
 int RunTraining(const TrainSetup& setup, const RunFolder& folder, std::stop_token stop);
 
-/// Share of the budget that is used: the larger of the two shares; 0 where there is no limit.
-double Progress(const RunConfig& run, double training_s, std::uint64_t decisions);
-
 }  // namespace ronda

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/base/error.h"
 #include "common/dds/control_reader.h"
 #include "common/dds/learner_endpoint.h"
 #include "common/dds/participant.h"
@@ -47,8 +48,20 @@ void Save(const Dqn& dqn, const Learner& learner, const RunConfig& run,
   WritePolicyFile(checkpoints / "latest.ronda", policy);
 }
 
+/// False where the disk takes no checkpoint; the former one stands then. Said when it begins.
+bool TrySave(const Dqn& dqn, const Learner& learner, const RunConfig& run,
+             const std::filesystem::path& checkpoints, bool saved_before) {
+  try {
+    Save(dqn, learner, run, checkpoints);
+    return true;
+  } catch (const Error& error) {
+    if (saved_before) LogWarning("no checkpoint, the former one stands: {}", error.what());
+    return false;
+  }
+}
+
 ProcessReport Report(const RoleOptions& options, const Dqn& dqn, const Learner& learner,
-                     const dds::LearnerEndpoint& batches, bool waiting) {
+                     const dds::LearnerEndpoint& batches, bool waiting, bool saved) {
   const UpdateStats& last = learner.last_update();
   return {.role = "learner",
           .index = 0,
@@ -59,6 +72,7 @@ ProcessReport Report(const RoleOptions& options, const Dqn& dqn, const Learner& 
                       {"weights_version", static_cast<double>(learner.weights_version())},
                       {"policy_lag_versions", learner.policy_lag_versions()},
                       {"messages_refused", static_cast<double>(batches.messages_refused())},
+                      {"checkpoint_fails", saved ? 0.0 : 1.0},
                       {"loss", last.loss},
                       {"mean_q", last.mean_q},
                       {"gradient_norm", last.gradient_norm}}};
@@ -94,20 +108,24 @@ int Body(int argc, char** argv, std::stop_token stop) {
                    .send_priorities = config.send_priorities});
   Every report_due(milliseconds(200));
   Every checkpoint_due(config.checkpoint_every);
+  bool saved = true;
   while (!stop.stop_requested()) {
     if (const RunControl* news = control.Newest()) dqn.set_progress(news->progress);
     const int updates = learner.Step(std::chrono::steady_clock::now(), milliseconds(20));
     const auto now = std::chrono::steady_clock::now();
-    if (report_due.Due(now)) reports.Send(Report(options, dqn, learner, batches, updates == 0));
+    if (report_due.Due(now)) {
+      reports.Send(Report(options, dqn, learner, batches, updates == 0, saved));
+    }
     for (const auto& refusal : batches.TakeRefusals()) LogWarning("{}", refusal);
-    if (checkpoint_due.Due(now)) Save(dqn, learner, run, checkpoints);
+    if (checkpoint_due.Due(now)) saved = TrySave(dqn, learner, run, checkpoints, saved);
   }
   learner.Publish(std::chrono::steady_clock::now());
-  Save(dqn, learner, run, checkpoints);
-  reports.Send(Report(options, dqn, learner, batches, false));
+  saved = TrySave(dqn, learner, run, checkpoints, true);
+  reports.Send(Report(options, dqn, learner, batches, false, saved));
   reports.Flush(milliseconds(100));
-  LogInfo("stopped after update {}, checkpoint written", dqn.updates());
-  return 0;
+  LogInfo("stopped after update {}, {}", dqn.updates(),
+          saved ? "checkpoint written" : "no checkpoint could be written");
+  return saved ? 0 : static_cast<int>(ExitCode::kCheckpoint);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "replay/delivery_ledger.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace ronda {
 namespace {
@@ -47,9 +48,10 @@ std::uint32_t DeliveryLedger::Accept(const TransitionBatch& batch) {
 }
 
 void DeliveryLedger::Grant(std::uint64_t room, std::uint64_t window) {
+  const auto end = newest_.lower_bound(wanted_actors_);
   std::uint64_t promised = 0;
-  for (const auto& [actor, incarnation] : newest_) {
-    const Entry& entry = entries_.at({actor, incarnation});
+  for (auto it = newest_.begin(); it != end; ++it) {
+    const Entry& entry = entries_.at({it->first, it->second});
     promised += entry.window_end - entry.stored_through;
   }
   if (promised >= room) return;
@@ -62,10 +64,10 @@ void DeliveryLedger::Grant(std::uint64_t room, std::uint64_t window) {
     entry.window_end += extension;
     left -= extension;
   };
-  const auto first = newest_.lower_bound(next_granted_);
-  for (auto it = first; it != newest_.end(); ++it) grant(it->first, it->second);
+  const auto first = newest_.lower_bound(std::min(next_granted_, wanted_actors_));
+  for (auto it = first; it != end; ++it) grant(it->first, it->second);
   for (auto it = newest_.begin(); it != first; ++it) grant(it->first, it->second);
-  next_granted_ = first == newest_.end() ? 0 : first->first + 1;
+  next_granted_ = first == end ? 0 : first->first + 1;
 }
 
 std::vector<ActorCredit> DeliveryLedger::Credits() const {
@@ -82,6 +84,11 @@ std::vector<ActorCredit> DeliveryLedger::Credits() const {
     if (newest_.at(it->first.first) != it->first.second) append(it->first, it->second);
   }
   return credits;
+}
+
+std::size_t DeliveryLedger::wanted_actors() const {
+  return static_cast<std::size_t>(
+      std::distance(newest_.begin(), newest_.lower_bound(wanted_actors_)));
 }
 
 std::uint64_t DeliveryLedger::stored() const {

@@ -9,6 +9,7 @@
 // stays within the room that the rate limiter gives. The sending half is rl/delivery_window. A
 // value; thread-compatible; O(actors) a grant.
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -27,6 +28,10 @@ class DeliveryLedger {
   /// batch is ignored.
   std::uint32_t Accept(const TransitionBatch& batch);
 
+  /// Actors from this index on are leaving: they are granted nothing more, and what they were
+  /// promised counts no longer. All are wanted at first.
+  void set_actors(std::uint32_t wanted) { wanted_actors_ = wanted; }
+
   /// Extends windows to at most `window` beyond what is stored, all outstanding promises within
   /// `room`.
   void Grant(std::uint64_t room, std::uint64_t window);
@@ -40,7 +45,7 @@ class DeliveryLedger {
   /// Transitions that this ledger holds to be stored: stored_through less where each actor started,
   /// summed.
   std::uint64_t stored() const;
-  std::size_t live_actors() const { return newest_.size(); }
+  std::size_t wanted_actors() const;  // of those that have announced themselves
 
  private:
   struct Entry {
@@ -53,7 +58,8 @@ class DeliveryLedger {
   std::uint64_t replay_incarnation_;
   std::map<Key, Entry> entries_;
   std::map<std::uint32_t, std::uint64_t> newest_;  // actor → its newest incarnation
-  std::uint32_t next_granted_ = 0;                 // actors take turns to be first
+  std::uint32_t wanted_actors_ = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t next_granted_ = 0;  // actors take turns to be first
   std::uint64_t repeats_dropped_ = 0;
   std::uint64_t ignored_ = 0;
 };

@@ -1,6 +1,7 @@
 // ronda-replay: stores the actors' transitions and pushes mini-batches to the learner.
 #include <unistd.h>
 
+#include "common/dds/control_reader.h"
 #include "common/dds/participant.h"
 #include "common/dds/replay_endpoint.h"
 #include "common/dds/report_writer.h"
@@ -73,6 +74,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
                                 .socket_buffer_bytes = run.socket_buffer_bytes});
   LogInfo("domain {}, {}", options.domain, participant.socket_buffer_report());
   dds::ReplayEndpoint endpoint(participant);
+  dds::ControlReader control(participant);
   dds::ReportWriter reports(participant);
   const auto status = [&] {
     ReplayStatus now = server.Status();
@@ -82,6 +84,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   Every status_due(milliseconds(5));
   Every report_due(milliseconds(200));
   while (!stop.stop_requested()) {
+    if (const RunControl* news = control.Newest()) server.set_actors(news->actors);
     const int messages = Serve(server, endpoint);
     const auto now = std::chrono::steady_clock::now();
     if (status_due.Due(now)) endpoint.SendStatus(status());

@@ -76,7 +76,7 @@ std::uint64_t ReplayServer::LargestWindow() const {
   const double half_band =
       config_.rate_limiter.error_buffer / config_.rate_limiter.samples_per_insert;
   const double share =
-      half_band / static_cast<double>(std::max<std::size_t>(1, ledger_.live_actors()));
+      half_band / static_cast<double>(std::max<std::size_t>(1, ledger_.wanted_actors()));
   return std::max<std::uint64_t>(1, std::min(config_.window, static_cast<std::uint64_t>(share)));
 }
 

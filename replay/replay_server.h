@@ -37,6 +37,8 @@ class ReplayServer {
   void Insert(const TransitionBatch& batch);
   void Request(const SampleRequest& request);
   void Reprioritise(const PriorityUpdate& update);
+  /// How many actors are wanted; see DeliveryLedger::set_actors.
+  void set_actors(std::uint32_t wanted) { ledger_.set_actors(wanted); }
 
   /// The next mini-batch that the learner asked for and the limiter allows; nullptr if there is
   /// none. Valid until the next call.

@@ -21,7 +21,7 @@ class RunControl;
 
 namespace ronda::dds {
 
-inline constexpr std::uint32_t kProtocolVersion = 1;
+inline constexpr std::uint32_t kProtocolVersion = 2;
 
 enum class Fault {
   kNone,

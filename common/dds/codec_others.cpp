@@ -79,13 +79,16 @@ Fault Decode(const wire::ProcessReport& message, ProcessReport& value) {
 bool Encode(const RunControl& value, wire::RunControl& message) {
   message.protocol_version(kProtocolVersion);
   message.progress(value.progress);
+  message.actors(value.actors);
   return true;
 }
 
 Fault Decode(const wire::RunControl& message, RunControl& value) {
   if (message.protocol_version() != kProtocolVersion) return Fault::kVersion;
   if (!(message.progress() >= 0.0 && message.progress() <= 1.0)) return Fault::kRange;
+  if (message.actors() < 1) return Fault::kRange;
   value.progress = message.progress();
+  value.actors = message.actors();
   return Fault::kNone;
 }
 

@@ -19,8 +19,9 @@ bool Succeeded(const ReturnCode_t& code) { return code == ReturnCode_t::RETCODE_
 
 WriterEntity::WriterEntity(Participant::Impl& participant, const Channel& channel,
                            fastdds::TypeSupport type)
-    : participant_(participant) {
-  fastdds::Topic* topic = participant.TopicNamed(channel.topic, std::move(type));
+    : participant_(participant), topic_(channel.topic), type_(std::move(type)) {
+  fastdds::Topic* topic = participant.TopicNamed(channel.topic, type_);
+  participant.CountWritten(topic_, 0, 0);
   writer_ = participant.publisher->create_datawriter(topic, WriterQos(channel));
   if (writer_ == nullptr) {
     throw TransportError(fmt::format("DDS domain {}: no writer could be made for topic '{}'",
@@ -31,7 +32,9 @@ WriterEntity::WriterEntity(Participant::Impl& participant, const Channel& channe
 WriterEntity::~WriterEntity() { participant_.publisher->delete_datawriter(writer_); }
 
 bool WriterEntity::WriteSample(void* sample) {
-  return Succeeded(writer_->write(sample, fastdds::HANDLE_NIL));
+  if (!Succeeded(writer_->write(sample, fastdds::HANDLE_NIL))) return false;
+  participant_.CountWritten(topic_, 1, type_.get_serialized_size_provider(sample)());
+  return true;
 }
 
 bool WriterEntity::WaitForAcknowledgments(std::chrono::milliseconds at_most) {

@@ -29,6 +29,8 @@ class WriterEntity {
 
  private:
   Participant::Impl& participant_;
+  std::string topic_;
+  fastdds::TypeSupport type_;
   fastdds::DataWriter* writer_;
 };
 

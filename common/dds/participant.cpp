@@ -132,10 +132,28 @@ fastdds::Topic* Participant::Impl::TopicNamed(const std::string& name, fastdds::
   return topic;
 }
 
+void Participant::Impl::CountWritten(const std::string& topic, std::uint64_t messages,
+                                     std::uint64_t bytes) {
+  const std::lock_guard lock(mutex_);
+  Traffic& traffic = written_[topic];
+  traffic.topic = topic;
+  traffic.messages += messages;
+  traffic.bytes += bytes;
+}
+
+std::vector<Traffic> Participant::Impl::Written() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Traffic> written;
+  for (const auto& [topic, traffic] : written_) written.push_back(traffic);
+  return written;
+}
+
 Participant::Participant(const ParticipantOptions& options)
     : impl_(std::make_unique<Impl>(options)) {}
 
 Participant::~Participant() = default;
+
+std::vector<Traffic> Participant::Written() const { return impl_->Written(); }
 
 const std::string& Participant::socket_buffer_report() const { return impl_->socket_buffer_report; }
 

@@ -8,8 +8,10 @@
 // Throws TransportError when the domain cannot be joined. Thread-safe. What is built on it is not
 // visible here: no header of this folder shows Fast DDS. See docs/protocol.md.
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace ronda::dds {
 
@@ -26,6 +28,13 @@ struct ParticipantOptions {
   std::chrono::milliseconds participant_lease{30'000};
 };
 
+/// What a process has written to a topic.
+struct Traffic {
+  std::string topic;
+  std::uint64_t messages = 0;
+  std::uint64_t bytes = 0;  // serialised, without the headers of RTPS and UDP
+};
+
 class Participant {
  public:
   explicit Participant(const ParticipantOptions& options);
@@ -35,6 +44,9 @@ class Participant {
 
   /// One sentence for the log: the socket buffers asked for and what the kernel grants.
   const std::string& socket_buffer_report() const;
+
+  /// One entry for each topic that this participant has a writer of, by name.
+  std::vector<Traffic> Written() const;
 
   struct Impl;  // for this folder only
   Impl& impl() { return *impl_; }

@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "common/dds/participant.h"
 
@@ -25,6 +26,10 @@ struct Participant::Impl {
   /// The topic of this name, made at the first call; throws TransportError.
   fastdds::Topic* TopicNamed(const std::string& name, fastdds::TypeSupport type);
 
+  /// Adds to what was written to the topic.
+  void CountWritten(const std::string& topic, std::uint64_t messages, std::uint64_t bytes);
+  std::vector<Traffic> Written() const;
+
   int domain;
   std::string socket_buffer_report;
   fastdds::DomainParticipant* participant = nullptr;
@@ -34,8 +39,9 @@ struct Participant::Impl {
  private:
   void Close();
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::map<std::string, fastdds::Topic*> topics_;
+  std::map<std::string, Traffic> written_;
 };
 
 }  // namespace ronda::dds

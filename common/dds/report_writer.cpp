@@ -7,7 +7,9 @@
 namespace ronda::dds {
 
 struct ReportWriter::Impl {
-  explicit Impl(Participant& participant) : reports(participant.impl(), kReportChannel) {}
+  explicit Impl(Participant& process)
+      : participant(process), reports(process.impl(), kReportChannel) {}
+  Participant& participant;
   TypedWriter<wire::ProcessReportPubSubType> reports;
 };
 
@@ -15,7 +17,18 @@ ReportWriter::ReportWriter(Participant& participant) : impl_(std::make_unique<Im
 
 ReportWriter::~ReportWriter() = default;
 
-bool ReportWriter::Send(const ProcessReport& report) { return impl_->reports.Write(report); }
+bool ReportWriter::Send(ProcessReport report) {
+  AddTraffic(impl_->participant, report);
+  return impl_->reports.Write(report);
+}
+
+void AddTraffic(const Participant& participant, ProcessReport& report) {
+  for (const Traffic& traffic : participant.Written()) {
+    report.metrics.emplace_back(kMessagesMetric + traffic.topic,
+                                static_cast<double>(traffic.messages));
+    report.metrics.emplace_back(kBytesMetric + traffic.topic, static_cast<double>(traffic.bytes));
+  }
+}
 
 void ReportWriter::Flush(std::chrono::milliseconds at_most) {
   impl_->reports.WaitForAcknowledgments(at_most);

@@ -12,7 +12,8 @@ class ReportWriter {
  public:
   explicit ReportWriter(Participant& participant);
   ~ReportWriter();
-  bool Send(const ProcessReport& report);
+  /// With the process's traffic among the metrics.
+  bool Send(ProcessReport report);
   /// Waits until every reader that is there has the last report.
   void Flush(std::chrono::milliseconds at_most);
 
@@ -20,5 +21,8 @@ class ReportWriter {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Appends what the process has written to each topic: "messages ronda/experience", "bytes …".
+void AddTraffic(const Participant& participant, ProcessReport& report);
 
 }  // namespace ronda::dds

@@ -81,6 +81,10 @@ struct WeightSnapshot {
   std::vector<float> values;
 };
 
+/// Metrics whose names begin so count what the process has written to the topic that follows.
+inline constexpr const char* kMessagesMetric = "messages ";
+inline constexpr const char* kBytesMetric = "bytes ";
+
 /// What a process reports of itself, a few times a second and once at its end.
 struct ProcessReport {
   std::string role;  // actor, replay, learner
@@ -94,6 +98,7 @@ struct ProcessReport {
 /// What the launcher tells everybody.
 struct RunControl {
   double progress = 0.0;  // share of the training budget that is used, 0 … 1; drives the schedules
+  std::uint32_t actors = 1;  // wanted; those with this index or a larger one are leaving
 };
 
 }  // namespace ronda

@@ -12,7 +12,7 @@ RunConfig ReadRunConfig(Config& config) {
   run.length = config.GetString("run.length", "euclidean", {"euclidean", "file"},
                                 "where edge lengths come from");
   run.agents = static_cast<int>(config.GetInt("run.agents", 10, 1, 10'000, "robots on the map"));
-  run.actors = static_cast<int>(config.GetInt("run.actors", 1, 1, 90, "actor processes"));
+  run.actors = static_cast<int>(config.GetInt("run.actors", 1, 1, kMaxActors, "actor processes"));
   run.algorithm = config.GetString("run.algorithm", "dqn", {"dqn"}, "what the learner runs");
   run.seed = static_cast<std::uint64_t>(
       config.GetInt("run.seed", 1, 0, kMany, "all random choices follow from it"));

@@ -14,6 +14,8 @@
 
 namespace ronda {
 
+inline constexpr int kMaxActors = 90;  // with the others, as many as find each other in a domain
+
 struct RunConfig {
   std::string map;
   std::string length;  // euclidean | file: where edge lengths come from

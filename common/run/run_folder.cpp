@@ -2,9 +2,10 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 
 #include "common/base/error.h"
@@ -33,12 +34,20 @@ void MakeWritable(const std::filesystem::path& path) {
                           pid.empty() ? "another process" : "process " + pid));
 }
 
+struct flock WholeFile() {
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
 FileDescriptor Lock(const std::filesystem::path& path) {
   const std::filesystem::path lock_file = path / "lock";
   FileDescriptor lock(::open(lock_file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
   if (!lock.is_open()) Refuse(path, std::strerror(errno));
-  if (::flock(lock.number(), LOCK_EX | LOCK_NB) != 0) {
-    if (errno == EWOULDBLOCK) RefuseInUse(path, lock_file);
+  struct flock whole = WholeFile();
+  if (::fcntl(lock.number(), F_OFD_SETLK, &whole) != 0) {
+    if (errno == EAGAIN || errno == EACCES) RefuseInUse(path, lock_file);
     Refuse(path, std::strerror(errno));
   }
   const std::string pid = fmt::format("{}", ::getpid());
@@ -56,6 +65,17 @@ RunFolder::RunFolder(const std::filesystem::path& path) : path_(path) {
   lock_ = Lock(path_);
   MakeWritable(logs());
   MakeWritable(checkpoints());
+}
+
+std::optional<pid_t> RunFolder::Holder(const std::filesystem::path& path) {
+  const FileDescriptor file(::open((path / "lock").c_str(), O_RDONLY | O_CLOEXEC));
+  struct flock whole = WholeFile();
+  if (!file.is_open() || ::fcntl(file.number(), F_OFD_GETLK, &whole) != 0) return std::nullopt;
+  if (whole.l_type == F_UNLCK) return std::nullopt;
+  const std::string text = ReadWholeFile(path / "lock");
+  pid_t pid = 0;  // stays so where the holder has just taken it
+  std::from_chars(text.data(), text.data() + text.size(), pid);
+  return pid > 0 ? std::optional(pid) : std::nullopt;
 }
 
 std::string RunFolder::DefaultName(const std::string& map, std::time_t now) {

@@ -1,12 +1,16 @@
 #pragma once
 // A run's folder: runs/NAME/{config.toml, logs/, checkpoints/, metrics.jsonl, summary.json}.
 //
-// Held by one launcher at a time, by a lock on the file `lock` that the system drops when the
-// process ends, whatever ends it; children do not inherit it. Errors: Error(kRunFolderInUse) that
+// Held by one launcher at a time, by an open-file-description lock (fcntl) on the file `lock`: the
+// system drops it when the process ends, whatever ends it, children do not inherit it, and looking
+// at it disturbs nobody. Errors: Error(kRunFolderInUse) that
 // names the holder's process id; InputError with the reason where the folder cannot be made or
 // written. Thread-compatible.
+#include <sys/types.h>
+
 #include <ctime>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "common/base/file_descriptor.h"
@@ -24,6 +28,9 @@ class RunFolder {
   std::filesystem::path checkpoints() const { return path_ / "checkpoints"; }
   std::filesystem::path metrics_file() const { return path_ / "metrics.jsonl"; }
   std::filesystem::path summary_file() const { return path_ / "summary.json"; }
+
+  /// The process that holds the folder; nullopt where nobody does, or there is no such folder.
+  static std::optional<pid_t> Holder(const std::filesystem::path& path);
 
   /// `<map>-<YYYYmmdd-HHMMSS>` in local time; `map` is a name, or a path of which the stem counts.
   static std::string DefaultName(const std::string& map, std::time_t now);

@@ -84,7 +84,9 @@ bool KeepsTheRules(const ProcessReport& v) {
   return v.pid > 0 && v.metrics.size() <= 256 && v.role.size() <= 64 && v.state.size() <= 255 &&
          std::ranges::all_of(v.metrics, [](const auto& m) { return m.first.size() <= 64; });
 }
-bool KeepsTheRules(const RunControl& v) { return v.progress >= 0 && v.progress <= 1; }
+bool KeepsTheRules(const RunControl& v) {
+  return v.progress >= 0 && v.progress <= 1 && v.actors >= 1;
+}
 
 template <typename PubSubType, typename Value>
 Bytes Serialised(const Value& value) {

@@ -284,6 +284,7 @@ TEST_CASE("requests, priorities, weights, reports and control out of their rules
   CHECK(control([](auto& m) { m.progress(1.01); }) == Fault::kRange);
   CHECK(control([](auto& m) { m.progress(-0.01); }) == Fault::kRange);
   CHECK(control([](auto& m) { m.progress(kNan); }) == Fault::kRange);
+  CHECK(control([](auto& m) { m.actors(0); }) == Fault::kRange);
 }
 
 }  // namespace

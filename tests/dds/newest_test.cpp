@@ -203,8 +203,18 @@ TEST_CASE("the launcher gets the last report of each process, also of one that h
                       take();
                       return got["actor"].state == "stopped";
                     }));
-  CHECK(Same(got["actor"], of_actor));
-  CHECK(Same(got["learner"], of_learner));
+  // What was said, and then what each had written to the only topic that it writes: its reports.
+  const auto as_said = [](ProcessReport report, std::size_t metrics) {
+    report.metrics.resize(metrics);
+    return report;
+  };
+  CHECK(Same(as_said(got["actor"], of_actor.metrics.size()), of_actor));
+  CHECK(Same(as_said(got["learner"], of_learner.metrics.size()), of_learner));
+  const auto& metrics = got["actor"].metrics;
+  REQUIRE(metrics.size() == of_actor.metrics.size() + 2);
+  CHECK(metrics[metrics.size() - 2] == std::pair(std::string("messages ronda/report"), 1.0));
+  CHECK(metrics.back().first == "bytes ronda/report");
+  CHECK(metrics.back().second > 100.0);
 }
 
 TEST_CASE("everybody gets the launcher's newest word, once, late joiners too") {

@@ -97,7 +97,7 @@ ProcessReport GoodProcessReport() {
           .metrics = {{"decisions", 1e6}, {"sent", 123.0}, {"epsilon", 0.05}}};
 }
 
-RunControl GoodRunControl() { return {.progress = 0.375}; }
+RunControl GoodRunControl() { return {.progress = 0.375, .actors = 6}; }
 
 bool Same(const ReplayStatus& a, const ReplayStatus& b) {
   const auto counters = [](const ReplayStatus& v) {

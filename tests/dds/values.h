@@ -46,7 +46,7 @@ inline auto Fields(const WeightSnapshot& v) {
 inline auto Fields(const ProcessReport& v) {
   return std::tie(v.role, v.index, v.incarnation, v.pid, v.state, v.metrics);
 }
-inline auto Fields(const RunControl& v) { return std::tie(v.progress); }
+inline auto Fields(const RunControl& v) { return std::tie(v.progress, v.actors); }
 
 template <typename Value>
 bool Same(const Value& a, const Value& b) {

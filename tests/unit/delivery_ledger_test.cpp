@@ -104,5 +104,26 @@ TEST_CASE("A replaced incarnation keeps its credit line but gets no more room") 
   CHECK(sut.Accept(Batch(1, 5, 1, 0, 1)) == 0);
 }
 
+TEST_CASE("What was promised to actors that leave counts no longer, and what they sent is taken") {
+  DeliveryLedger sut(kReplay);
+  for (std::uint32_t actor = 0; actor < 3; ++actor) sut.Accept(Batch(1, 0, 1, actor));
+  sut.Grant(90, 30);
+
+  sut.set_actors(1);
+  sut.Grant(90, 80);
+
+  CHECK(sut.wanted_actors() == 1);
+  const auto credits = sut.Credits();
+  REQUIRE(credits.size() == 3);
+  CHECK(credits[0].window_end == 80);  // 90 less what was promised to all would leave it at 30
+  CHECK(credits[1].window_end == 30);
+  CHECK(credits[2].window_end == 30);
+  CHECK(sut.Accept(Batch(1, 30, 1, 2)) == 0);
+
+  sut.set_actors(3);
+  sut.Grant(300, 80);
+  CHECK(sut.Credits()[2].window_end == 110);
+}
+
 }  // namespace
 }  // namespace ronda

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "common/base/error.h"
-#include "deploy/training_run.h"
+#include "deploy/run_state.h"
 #include "tests/temporary_folder.h"
 
 namespace ronda {
