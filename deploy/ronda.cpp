@@ -6,6 +6,9 @@
 #include "common/run/process.h"
 #include "deploy/compare_command.h"
 #include "deploy/evaluate_command.h"
+#include "deploy/runs_command.h"
+#include "deploy/scale_command.h"
+#include "deploy/stop_command.h"
 #include "deploy/train_command.h"
 
 namespace {
@@ -24,6 +27,9 @@ int Body(int argc, char** argv, std::stop_token stop) {
       "Each command explains itself: ronda COMMAND --help");
   int exit_status = 0;
   ronda::AddTrainCommand(app, stop, exit_status);
+  ronda::AddRunsCommand(app);
+  ronda::AddScaleCommand(app, stop);
+  ronda::AddStopCommand(app, stop);
   ronda::AddEvaluateCommand(app, stop);
   ronda::AddCompareCommand(app, stop);
   try {

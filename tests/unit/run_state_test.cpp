@@ -4,7 +4,6 @@
 #include <fstream>
 
 #include "common/base/error.h"
-#include "deploy/run_state.h"
 #include "tests/temporary_folder.h"
 
 namespace ronda {

@@ -1,0 +1,95 @@
+#include "deploy/runs_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "common/evaluation/output_file.h"
+#include "common/run/duration.h"
+#include "deploy/known_run.h"
+#include "deploy/totals_json.h"
+
+namespace ronda {
+namespace {
+
+struct RunsArguments {
+  std::string root = "runs";
+  std::string json;
+};
+
+std::optional<double> AgeS(const RunStatus& status) {
+  if (status.begun_unix_s == 0.0) return std::nullopt;
+  const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
+  return std::max(0.0, now.count() - status.begun_unix_s);
+}
+
+std::string AsText(const std::vector<KnownRun>& runs) {
+  std::size_t width = 3;
+  for (const KnownRun& run : runs) width = std::max(width, run.folder.string().size());
+  std::string text =
+      fmt::format("{:<{}}  {:<12} {:>6} {:>6}  {:<14} {:>14} {:>10}  {}\n", "run", width, "map",
+                  "agents", "actors", "age", "best AGI", "classical", "state");
+  for (const KnownRun& run : runs) {
+    const RunStatus& status = run.status;
+    const auto seconds = [](const std::optional<double>& value) {
+      return value ? fmt::format("{:.2f} s", *value) : std::string("-");
+    };
+    const auto age_s = AgeS(status);
+    text += fmt::format("{:<{}}  {:<12} {:>6} {:>6}  {:<14} {:>14} {:>10}  {}\n",
+                        run.folder.string(), width, status.map, status.agents, status.actors_wanted,
+                        age_s ? FormatDuration(*age_s) : "-", seconds(status.best_agi_s),
+                        seconds(status.best_classical_agi_s),
+                        status.problems.empty() ? status.state : status.state + ", degraded");
+  }
+  return text;
+}
+
+std::string AsJson(const std::vector<KnownRun>& runs) {
+  auto json = nlohmann::json::array();
+  for (const KnownRun& run : runs) {
+    const RunStatus& status = run.status;
+    json.push_back({{"run", run.folder.string()},
+                    {"map", status.map},
+                    {"agents", status.agents},
+                    {"actors", status.actors_wanted},
+                    {"age_s", AgeS(status)},
+                    {"training_s", status.training_s},
+                    {"best_agi_s", status.best_agi_s},
+                    {"best_classical_agi_s", status.best_classical_agi_s},
+                    {"state", status.state},
+                    {"problems", status.problems}});
+  }
+  return json.dump(1) + "\n";
+}
+
+void Runs(const RunsArguments& arguments) {
+  const std::vector<KnownRun> runs = FindRuns(arguments.root);
+  if (!arguments.json.empty()) {
+    OutputFile file(arguments.json);
+    file.Write(AsJson(runs));
+    file.Commit();
+  }
+  if (runs.empty()) {
+    fmt::print("no runs below {}\n", arguments.root);
+  } else {
+    fmt::print("{}", AsText(runs));
+  }
+}
+
+}  // namespace
+
+void AddRunsCommand(CLI::App& app) {
+  auto arguments = std::make_shared<RunsArguments>();
+  CLI::App* command = app.add_subcommand("runs", "list the runs: map, robots, age, AGI, state");
+  command->add_option("--root", arguments->root, "the folder that holds run folders (runs)");
+  command->add_option("--json", arguments->json, "write the list to this file too");
+  command->footer("Example: ronda runs");
+  command->callback([arguments] { Runs(*arguments); });
+}
+
+}  // namespace ronda
