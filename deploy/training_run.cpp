@@ -92,6 +92,7 @@ class Session {
   /// The exit status of a run in which nothing moves any more.
   std::optional<int> CheckProgress(Clock::time_point now);
   void UpdateState(const Cluster& cluster, Clock::time_point now);
+  void TellEvaluator();
   void Show(Clock::time_point now);
   void LogMetrics();
   int End(Cluster& cluster, std::stop_token stop, std::optional<int> failure);
@@ -206,6 +207,13 @@ void Session::UpdateState(const Cluster& cluster, Clock::time_point now) {
   state_.best = evaluator_.best();
 }
 
+void Session::TellEvaluator() {
+  const std::uint64_t decisions = state_.totals.decisions;
+  evaluator_.set_progress({.share = Progress(setup_.run(), state_.training_s, decisions),
+                           .decisions = decisions,
+                           .training_s = state_.training_s});
+}
+
 void Session::Show(Clock::time_point now) {
   const double elapsed_s = Seconds(now - shown_);
   if (elapsed_s >= 1.0) {
@@ -285,7 +293,7 @@ int Session::Run(std::stop_token stop) {
     UpdateState(cluster, now);
     const double progress = Progress(setup_.run(), state_.training_s, state_.totals.decisions);
     if (progress >= 1.0) break;
-    evaluator_.set_progress(progress);
+    TellEvaluator();
     if (control_due.Due(now)) control_.Publish({.progress = progress});
     if (log_due.Due(now)) LogMetrics();
     if (show_due.Due(now)) Show(now);
@@ -302,6 +310,7 @@ int Session::End(Cluster& cluster, std::stop_token stop, std::optional<int> fail
   reports_.Wait(milliseconds(20));
   Listen();
   UpdateState(cluster, Clock::now());
+  TellEvaluator();
   evaluator_.Finish(hurry);
   state_.best = evaluator_.best();
   LogMetrics();
@@ -313,7 +322,10 @@ int Session::End(Cluster& cluster, std::stop_token stop, std::optional<int> fail
 
 void Session::Summarise(std::stop_token stop, bool hurry) {
   RunSummary summary{.state = state_, .agi_s = {}, .yardstick = evaluator_.yardstick()};
-  if (const auto file = PolicyOfRun(folder_.path())) {
+  const auto file = PolicyOfRun(folder_.path());
+  PolicyFile policy;
+  if (file) {
+    policy = ReadPolicyFile(*file);
     // In a hurry the judging gets half a second, and is given up after it.
     std::stop_source late;
     std::jthread clock([&](std::stop_token done) {
@@ -326,10 +338,14 @@ void Session::Summarise(std::stop_token stop, bool hurry) {
       }
       late.request_stop();
     });
-    summary.agi_s =
-        ReportedAgi(ReadPolicyFile(*file), evaluator_config_, setup_.context(), late.get_token());
+    summary.agi_s = ReportedAgi(policy, evaluator_config_, setup_.context(), late.get_token());
   }
   WriteWholeFile(folder_.summary_file(), SummaryAsJson(summary, setup_.run()));
+  if (summary.agi_s) {
+    policy.training.agi_s = summary.agi_s->mean;
+    policy.training.agi_ci95_s = summary.agi_s->ci95.value_or(0.0);
+    WritePolicyFile(*file, policy);
+  }
   fmt::print("{}", FormatSummary(summary, setup_.run(), folder_.path().string()));
 }
 
