@@ -102,6 +102,7 @@ void GetFormat1(BoundedInput& in, PolicyFile& policy) {
 PolicyFile Decode(const CheckedFile& file, std::uint64_t& hash) {
   BoundedInput in(file.payload);
   PolicyFile policy;
+  policy.format = file.version;
   policy.spec = GetSpec(in);
   if (file.version == 1) {
     GetFormat1(in, policy);

@@ -41,7 +41,8 @@ struct PolicyFile {
   TrainingFacts training;
   std::uint64_t version = 0;  // of the weights, within the run
   std::uint64_t updates = 0;
-  std::vector<float> weights;  // (P)
+  std::vector<float> weights;            // (P)
+  std::uint32_t format = kPolicyFormat;  // of the file that it was read from
   friend bool operator==(const PolicyFile&, const PolicyFile&) = default;
 };
 

@@ -223,6 +223,7 @@ TEST_CASE("A file of format 1 is read, with the facts that it knows") {
         "scorer schema=patrol-candidates-26 features=26 hidden=6 layer_norm=1 activation=relu "
         "format=1");
   CHECK(sut.training == TrainingFacts{.map = "4nodes", .agents = 2, .algorithm = "dqn, seed 1"});
+  CHECK(sut.format == 1);
   CHECK(sut.weights.size() == ParameterCount(sut.spec));
 }
 
