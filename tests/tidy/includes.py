@@ -25,7 +25,7 @@ BELOW = {
     "learner": ["common/policies"],
 }
 # Level 3, and what stands beside the levels: any library.
-FREE = {"deploy", "bench", "tests", "python"}
+FREE = {"deploy", "bench", "examples", "tests", "python"}
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 MIDDLEWARE = re.compile(r"(fastdds|fastrtps|fastcdr)/")

@@ -7,6 +7,7 @@
 
 #include "common/base/checked_file.h"
 #include "common/base/error.h"
+#include "common/base/whole_file.h"
 #include "common/policies/policy_file.h"
 #include "common/policies/q_policy.h"
 #include "tests/temporary_folder.h"
@@ -225,6 +226,19 @@ TEST_CASE("A file of format 1 is read, with the facts that it knows") {
   CHECK(sut.training == TrainingFacts{.map = "4nodes", .agents = 2, .algorithm = "dqn, seed 1"});
   CHECK(sut.format == 1);
   CHECK(sut.weights.size() == ParameterCount(sut.spec));
+}
+
+TEST_CASE("A file of format 2 is read, and written again with the same bytes") {
+  const TemporaryFolder folder;
+  const std::filesystem::path golden = RONDA_SOURCE_DIR "/tests/golden/policy_format_2.ronda";
+  const PolicyFile sut = ReadPolicyFile(golden);
+  CHECK(sut.training.map == "4nodes");
+  CHECK(sut.training.reward == "hindsight");
+  CHECK(sut.training.discount_horizon_s == 19.5);
+  CHECK(sut.training.decisions == 6144);
+  CHECK(sut.updates == 217);
+  WritePolicyFile(folder / "again", sut);
+  CHECK(ReadWholeFile(folder / "again") == ReadWholeFile(golden));
 }
 
 TEST_CASE("A checked file of another kind or a newer version is no policy") {
