@@ -10,10 +10,10 @@
 
 #include "actor/actor.h"
 #include "actor/actor_config.h"
-#include "common/evaluation/policy_strategy.h"
 #include "common/evaluation/protocol.h"
 #include "common/policies/network_config.h"
 #include "common/policies/q_policy.h"
+#include "common/team/policy_strategy.h"
 #include "deploy/train_setup.h"
 #include "learner/learner.h"
 #include "learner/learner_config.h"

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/evaluation/policy_strategy.h"
 #include "common/run/paths.h"
+#include "common/team/policy_strategy.h"
 #include "deploy/find_policy.h"
 
 namespace ronda {
@@ -76,7 +76,7 @@ EvaluationMap::EvaluationMap(const EvaluationArguments& arguments)
 std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,
                                          const StrategyContext& context) {
   return contestant.kind == ContestantKind::kPolicy
-             ? MakePolicyStrategy(ReadPolicyFile(FindPolicyFile(contestant.name)), context)
+             ? LoadPolicyStrategy(FindPolicyFile(contestant.name), context)
              : MakeStrategy(contestant.name, context);
 }
 

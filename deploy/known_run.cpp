@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "common/base/error.h"
 #include "common/run/run_config.h"
 #include "common/run/run_folder.h"
+#include "common/run/unix_time.h"
 
 namespace ronda {
 namespace {
@@ -25,10 +25,6 @@ RunStatus FromConfiguration(const std::filesystem::path& config_file) {
   status.actors_wanted = run.actors;
   status.state = "starting";
   return status;
-}
-
-double UnixNow() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 bool HasEnded(const RunStatus& status) {

@@ -6,6 +6,7 @@
 #include "common/run/process.h"
 #include "deploy/compare_command.h"
 #include "deploy/evaluate_command.h"
+#include "deploy/policy_command.h"
 #include "deploy/runs_command.h"
 #include "deploy/scale_command.h"
 #include "deploy/stop_command.h"
@@ -32,6 +33,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   ronda::AddStopCommand(app, stop);
   ronda::AddEvaluateCommand(app, stop);
   ronda::AddCompareCommand(app, stop);
+  ronda::AddPolicyCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

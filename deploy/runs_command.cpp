@@ -4,13 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "common/evaluation/output_file.h"
 #include "common/run/duration.h"
+#include "common/run/unix_time.h"
 #include "deploy/known_run.h"
 #include "deploy/totals_json.h"
 
@@ -24,8 +24,7 @@ struct RunsArguments {
 
 std::optional<double> AgeS(const RunStatus& status) {
   if (status.begun_unix_s == 0.0) return std::nullopt;
-  const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
-  return std::max(0.0, now.count() - status.begun_unix_s);
+  return std::max(0.0, UnixNow() - status.begun_unix_s);
 }
 
 std::string AsText(const std::vector<KnownRun>& runs) {

@@ -92,6 +92,11 @@ TrainSetup::TrainSetup(const TrainArguments& arguments,
   follows("interface.num_actions", std::int64_t{encoder.num_actions()});
   follows("interface.features", std::int64_t{encoder.features_per_candidate()});
   follows("interface.schema", std::string(Schema(encoder.scheme())));
+  const PatrolEnvironmentOptions& environment = actor_.environment;
+  const double t_ref_s = walk_.length_m / (environment.agents * environment.speed_mps);
+  follows("interface.speed_mps", environment.speed_mps);
+  follows("interface.reward", std::string(Name(environment.reward)));
+  follows("interface.discount_horizon_s", environment.horizon * t_ref_s);
   run_ = ReadRunConfig(config_);
   ReadLearnerConfig(config_, run_);
   ReadReplayConfig(config_, run_);

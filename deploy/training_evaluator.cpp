@@ -6,9 +6,9 @@
 #include <mutex>
 #include <thread>
 
-#include "common/evaluation/policy_strategy.h"
 #include "common/evaluation/protocol.h"
 #include "common/run/log.h"
+#include "common/team/policy_strategy.h"
 
 namespace ronda {
 namespace {
@@ -37,7 +37,7 @@ struct TrainingEvaluator::State {
 
   mutable std::mutex mutex;
   std::condition_variable_any changed;
-  double progress = 0.0;  // guarded by mutex, as all below
+  TrainingProgress progress = {};  // guarded by mutex, as all below
   bool finish = false;
   std::vector<PolicyEvaluation> evaluations;  // not taken yet
   std::optional<Yardstick> yardstick;
@@ -47,7 +47,7 @@ struct TrainingEvaluator::State {
 
   void Run(std::stop_token stop);
   void FindYardstick(std::stop_token stop);
-  void EvaluateNewest(double at_progress, std::stop_token stop);
+  void EvaluateNewest(const TrainingProgress& at, std::stop_token stop);
 };
 
 TrainingEvaluator::TrainingEvaluator(const TrainingEvaluatorConfig& config,
@@ -72,16 +72,16 @@ void TrainingEvaluator::State::Run(std::stop_token stop) {
   FindYardstick(stop);
   double next = config.step;
   while (!stop.stop_requested()) {
-    double now = 0.0;
+    TrainingProgress now;
     bool last = false;
     {
       std::unique_lock lock(mutex);
-      changed.wait(lock, stop, [&] { return finish || progress >= next; });
+      changed.wait(lock, stop, [&] { return finish || progress.share >= next; });
       now = progress;
       last = finish;
     }
     if (stop.stop_requested()) return;
-    next = now + config.step;
+    next = now.share + config.step;
     EvaluateNewest(now, stop);
     if (last) return;
   }
@@ -106,22 +106,24 @@ void TrainingEvaluator::State::FindYardstick(std::stop_token stop) {
   yardstick = found;
 }
 
-void TrainingEvaluator::State::EvaluateNewest(double at_progress, std::stop_token stop) {
+void TrainingEvaluator::State::EvaluateNewest(const TrainingProgress& at, std::stop_token stop) {
   const WeightSnapshot* snapshot = weights.Newest();
   if (snapshot == nullptr || snapshot->updates == 0) return;
   PolicyFile policy = config.policy;
   policy.version = snapshot->version;
   policy.updates = snapshot->updates;
+  policy.training.decisions = at.decisions;
+  policy.training.training_s = at.training_s;
   policy.weights = snapshot->values;
   const auto result = Evaluate(
       context, [&] { return MakePolicyStrategy(policy, context); },
       OptionsOf(config, config.episodes, config.seed, 1), nullptr, stop);
   if (!result) return;
   const BestPolicy candidate{.agi_s = MeanWithInterval(result->agi_s()).mean,
-                             .second_half = at_progress >= 0.5};
+                             .second_half = at.share >= 0.5};
   const std::lock_guard lock(mutex);
   evaluations.push_back(
-      {.progress = at_progress, .updates = policy.updates, .agi_s = candidate.agi_s});
+      {.progress = at.share, .updates = policy.updates, .agi_s = candidate.agi_s});
   const bool better = !best || (candidate.second_half && !best->second_half) ||
                       (candidate.second_half == best->second_half && candidate.agi_s < best->agi_s);
   if (!better) return;
@@ -133,7 +135,7 @@ void TrainingEvaluator::State::EvaluateNewest(double at_progress, std::stop_toke
   }
 }
 
-void TrainingEvaluator::set_progress(double progress) {
+void TrainingEvaluator::set_progress(const TrainingProgress& progress) {
   {
     const std::lock_guard lock(state_->mutex);
     state_->progress = progress;

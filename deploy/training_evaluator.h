@@ -31,8 +31,15 @@ struct TrainingEvaluatorConfig {
   int episodes = 10;
   double step = 1.0 / 30.0;  // of progress, between two evaluations
   std::uint64_t seed = 0;
-  PolicyFile policy;  // everything but weights, version and updates
+  PolicyFile policy;  // everything but weights, version, updates, decisions and time
   std::filesystem::path checkpoints;
+};
+
+/// How far the run is: the share of its budget, and what that is in decisions and time.
+struct TrainingProgress {
+  double share = 0.0;
+  std::uint64_t decisions = 0;
+  double training_s = 0.0;
 };
 
 struct PolicyEvaluation {
@@ -55,7 +62,7 @@ class TrainingEvaluator {
                     WeightSource& weights, const std::optional<BestPolicy>& best);
   ~TrainingEvaluator();
 
-  void set_progress(double progress);
+  void set_progress(const TrainingProgress& progress);
   /// Evaluations since the last call, oldest first.
   std::vector<PolicyEvaluation> TakeNew();
   std::optional<Yardstick> yardstick() const;  // nullopt until it is known

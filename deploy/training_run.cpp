@@ -7,7 +7,6 @@
 #include <chrono>
 #include <deque>
 #include <functional>
-#include <set>
 
 #include "common/base/error.h"
 #include "common/base/whole_file.h"
@@ -23,8 +22,10 @@
 #include "common/run/metrics_log.h"
 #include "common/run/paths.h"
 #include "common/run/run_domain.h"
+#include "common/run/unix_time.h"
 #include "deploy/cluster.h"
 #include "deploy/find_policy.h"
+#include "deploy/kept_files.h"
 #include "deploy/learning_curve.h"
 #include "deploy/progress_line.h"
 #include "deploy/rate_meter.h"
@@ -60,10 +61,6 @@ TrainingEvaluatorConfig EvaluatorConfig(const TrainSetup& setup, const RunFolder
   config.policy = PolicyOf(setup.run());
   config.checkpoints = folder.checkpoints();
   return config;
-}
-
-double UnixNow() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 /// A session's parts and what they have reported so far.
@@ -103,8 +100,7 @@ class Session {
   void Listen();
   void TakeReport(const ProcessReport& report);
   void Event(const std::string& text);
-  /// A full disk does not end a run: said once, and again when what is written gets through.
-  void Keep(const std::string& what, const std::function<void()>& write);
+  void Keep(const std::string& name, const std::function<void()>& write);
   void CountDeath(const Ending& ending);
   void FollowWantedActors(Cluster& cluster);
   std::optional<int> Supervise(Cluster& cluster, Clock::time_point now);
@@ -114,6 +110,7 @@ class Session {
   double progress() const {
     return Progress(setup_.run(), state_.training_s, state_.totals.decisions);
   }
+  void TellEvaluator();
   RunStatus Picture(const Cluster& cluster, Clock::time_point now) const;
   void TakeEvaluations();
   void LogMetrics();
@@ -139,10 +136,10 @@ class Session {
   StatusBoard board_;
   std::deque<RunEvent> events_;  // the last kEvents
   std::vector<CurvePoint> curve_;
-  int actors_;                                    // wanted
-  std::string refused_actors_;                    // what the file says that is no such number
-  std::map<std::string, std::string> unwritten_;  // what → why
-  std::string why_;                               // the run failed
+  int actors_;                  // wanted
+  std::string refused_actors_;  // what the file says that is no such number
+  KeptFiles files_;
+  std::string why_;  // the run failed
 
   Clock::time_point began_ = Clock::now();
   std::optional<Clock::time_point> first_transition_;
@@ -159,15 +156,8 @@ void Session::Event(const std::string& text) {
   line_.Event(text);
 }
 
-void Session::Keep(const std::string& what, const std::function<void()>& write) {
-  try {
-    write();
-    if (unwritten_.erase(what) > 0) Event(what + " is written again");
-  } catch (const InputError& error) {
-    if (unwritten_.emplace(what, error.what()).second) {
-      Event(fmt::format("{} is not kept: {}; the run goes on and tries again", what, error.what()));
-    }
-  }
+void Session::Keep(const std::string& name, const std::function<void()>& write) {
+  if (const std::string news = files_.Write(name, write); !news.empty()) Event(news);
 }
 
 void Session::TakeReport(const ProcessReport& report) {
@@ -262,6 +252,11 @@ void Session::UpdateState(const Cluster& cluster, Clock::time_point now) {
   state_.best = evaluator_.best();
 }
 
+void Session::TellEvaluator() {
+  evaluator_.set_progress(
+      {.share = progress(), .decisions = state_.totals.decisions, .training_s = state_.training_s});
+}
+
 RunStatus Session::Picture(const Cluster& cluster, Clock::time_point now) const {
   const RunConfig& run = setup_.run();
   RunStatus picture;
@@ -300,7 +295,7 @@ RunStatus Session::Picture(const Cluster& cluster, Clock::time_point now) const 
                                            Seconds(now - last_transition_),
                                            board_.WhoWaits(cluster.Children())));
   }
-  for (const auto& [what, why] : unwritten_) {
+  for (const auto& [what, why] : files_.unwritten()) {
     picture.problems.push_back(fmt::format("{} is not kept: {}", what, why));
   }
   picture.events.assign(events_.begin(), events_.end());
@@ -360,7 +355,7 @@ int Session::Run(std::stop_token stop) {
     if (!failure) failure = CheckProgress(cluster, now);
     UpdateState(cluster, now);
     if (progress() >= 1.0) break;
-    evaluator_.set_progress(progress());
+    TellEvaluator();
     if (control_due.Due(now)) {
       FollowWantedActors(cluster);
       control_.Publish({.progress = progress(), .actors = static_cast<std::uint32_t>(actors_)});
@@ -398,6 +393,7 @@ int Session::End(Cluster& cluster, std::stop_token stop, std::optional<int> fail
   reports_.Wait(milliseconds(20));
   Listen();
   UpdateState(cluster, Clock::now());
+  TellEvaluator();
   evaluator_.Finish(hurry);
   state_.best = evaluator_.best();
   TakeEvaluations();
@@ -405,9 +401,9 @@ int Session::End(Cluster& cluster, std::stop_token stop, std::optional<int> fail
   line_.End();
   Keep("state.json", [&] { WriteRunState(folder_.path(), state_); });
   Summarise(std::move(stop), hurry);
-  if (!failure && !unwritten_.empty()) {
+  if (!failure && !files_.unwritten().empty()) {
     failure = static_cast<int>(ExitCode::kCheckpoint);
-    why_ = unwritten_.begin()->second;
+    why_ = files_.unwritten().begin()->second;
   }
 
   last = Picture(cluster, Clock::now());
@@ -422,15 +418,23 @@ int Session::End(Cluster& cluster, std::stop_token stop, std::optional<int> fail
 
 void Session::Summarise(std::stop_token stop, bool hurry) {
   RunSummary summary{.state = state_, .agi_s = {}, .yardstick = evaluator_.yardstick()};
-  if (const auto file = PolicyOfRun(folder_.path())) {
+  const auto file = PolicyOfRun(folder_.path());
+  PolicyFile policy;
+  if (file) {
+    policy = ReadPolicyFile(*file);
     // In a hurry it is given up after half a second, and a stop that has come already does not end
     // it before.
-    summary.agi_s = ReportedAgi(ReadPolicyFile(*file), evaluator_config_, setup_.context(),
+    summary.agi_s = ReportedAgi(policy, evaluator_config_, setup_.context(),
                                 hurry ? std::stop_token() : std::move(stop),
                                 milliseconds(hurry ? 500 : 600'000));
   }
   Keep("summary.json",
        [&] { WriteWholeFile(folder_.summary_file(), SummaryAsJson(summary, setup_.run())); });
+  if (summary.agi_s) {
+    policy.training.agi_s = summary.agi_s->mean;
+    policy.training.agi_ci95_s = summary.agi_s->ci95.value_or(0.0);
+    Keep(file->filename().string(), [&] { WritePolicyFile(*file, policy); });
+  }
   fmt::print("{}", FormatSummary(summary, setup_.run(), folder_.path().string()));
 }
 

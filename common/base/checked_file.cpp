@@ -104,9 +104,8 @@ CheckedFile ReadCheckedFile(const std::filesystem::path& path, std::string_view 
     Refuse(path, fmt::format("torn: {} bytes, its header alone has {}", view.size(), kHeaderSize));
   const auto version = static_cast<std::uint32_t>(FromLittleEndian(view.substr(kVersionAt, 4)));
   if (version > newest_version)
-    Refuse(path,
-           fmt::format("format version {} is newer than {}, the newest that this program reads",
-                       version, newest_version));
+    Refuse(path, fmt::format("written by a newer ronda: format {}, this one reads up to {}",
+                             version, newest_version));
   const std::uint64_t size = FromLittleEndian(view.substr(kSizeAt, 8));
   if (size != view.size() - kHeaderSize)
     Refuse(path, fmt::format("torn: its header announces {} bytes of payload, there are {}", size,

@@ -1,6 +1,6 @@
 #include "common/policies/network_config.h"
 
-#include <fmt/format.h>
+#include <filesystem>
 
 namespace ronda {
 
@@ -19,9 +19,14 @@ NetworkSpec NetworkOf(const RunConfig& run) {
 PolicyFile PolicyOf(const RunConfig& run) {
   PolicyFile policy;
   policy.spec = NetworkOf(run);
-  policy.map = run.map;
-  policy.agents = run.agents;
-  policy.training = fmt::format("{}, seed {}", run.algorithm, run.seed);
+  policy.training = {.map = std::filesystem::path(run.map).stem().string(),
+                     .agents = run.agents,
+                     .speed_mps = run.speed_mps,
+                     .algorithm = run.algorithm,
+                     .seed = static_cast<std::int64_t>(run.seed),
+                     .reward = run.reward,
+                     .discount_horizon_s = run.discount_horizon_s,
+                     .ronda_version = RONDA_VERSION};
   return policy;
 }
 

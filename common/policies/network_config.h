@@ -11,7 +11,8 @@ namespace ronda {
 /// observation.
 NetworkSpec NetworkOf(const RunConfig& run);
 
-/// What the run's policy files say of it: all but weights, version and updates.
+/// What the run's policy files say of it: all but weights, version, updates and how long it was
+/// trained.
 PolicyFile PolicyOf(const RunConfig& run);
 
 }  // namespace ronda

@@ -6,7 +6,10 @@ namespace ronda {
 
 std::filesystem::path HomeFolder() {
   const char* home = std::getenv("RONDA_HOME");
-  return home != nullptr && *home != '\0' ? home : RONDA_SOURCE_DIR;
+  if (home != nullptr && *home != '\0') return home;
+  std::filesystem::path installed = ProgramFolder().parent_path() / "share" / "ronda";
+  std::error_code error;
+  return std::filesystem::is_directory(installed, error) ? installed : RONDA_SOURCE_DIR;
 }
 
 std::filesystem::path MapsFolder() { return HomeFolder() / "maps"; }

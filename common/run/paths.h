@@ -1,6 +1,7 @@
 #pragma once
-// Where Ronda's own files stand. HomeFolder is the environment variable RONDA_HOME, else the source
-// folder that the program was built from. Pure but for the environment; nothing need exist.
+// Where Ronda's own files stand. HomeFolder is the environment variable RONDA_HOME, else
+// `../share/ronda` from the program's folder where that is there (an installation), else the source
+// folder that the program was built from. What is in it need not exist.
 #include <filesystem>
 
 namespace ronda {

@@ -29,6 +29,11 @@ RunConfig ReadRunConfig(Config& config) {
   run.features = static_cast<int>(
       config.GetInt("interface.features", 0, 0, 10'000, "features of one candidate; 0: none"));
   run.schema = config.GetString("interface.schema", "", {}, "name of the observation");
+  run.speed_mps = config.GetDouble("interface.speed_mps", 0.0, 0.0, kNoLimit,
+                                   "of every robot (the environment's)");
+  run.reward = config.GetString("interface.reward", "", {}, "name of the reward");
+  run.discount_horizon_s = config.GetDouble("interface.discount_horizon_s", 0.0, 0.0, kNoLimit,
+                                            "−1/ln γ (follows from map and team)");
   run.hidden_sizes =
       config.GetIntList("network.hidden", {64, 64}, 1, 4096, "widths of the hidden layers");
   run.layer_norm = config.GetBool("network.layer_norm", false, "LayerNorm before each activation");

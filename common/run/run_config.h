@@ -2,9 +2,9 @@
 // The part of the configuration that every process of a run reads: [run], [interface], [network],
 // [dds] and what replay and learner agree on.
 //
-// [interface] holds what follows from the map and the observation; the launcher works it out and
-// writes it down, so replay and learner need to know no environment. Errors: InputError as
-// config.h.
+// [interface] holds what follows from the map, the environment and the observation; the launcher
+// works it out and writes it down, so replay and learner need to know no environment. Errors:
+// InputError as config.h.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -26,8 +26,11 @@ struct RunConfig {
   double budget_s = 0.0;               // training time of the run folder; 0: no limit
   std::uint64_t budget_decisions = 0;  // of the run folder; 0: no limit
   TransitionShape shape;
-  int features = 0;    // of one candidate, where the observation is made of candidates; else 0
-  std::string schema;  // name of the observation
+  int features = 0;        // of one candidate, where the observation is made of candidates; else 0
+  std::string schema;      // name of the observation
+  double speed_mps = 0.0;  // of every robot; this and the next two are facts for the policy's file
+  std::string reward;
+  double discount_horizon_s = 0.0;
   std::vector<int> hidden_sizes;
   bool layer_norm = false;
   std::uint32_t batch_size = 128;  // what replay and learner agree on

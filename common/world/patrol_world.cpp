@@ -71,6 +71,15 @@ std::vector<RobotStart> PatrolWorld::RandomStarts(const PatrolGraph& graph, int 
   return starts;
 }
 
+Arrival PatrolWorld::Arrive(int robot, int vertex, double time_s) {
+  RONDA_CHECK(waiting_ < 0, "robot {} waits for its next vertex", waiting_);
+  RONDA_CHECK(time_s >= time_s_, "an arrival at {} s, before the clock's {} s", time_s, time_s_);
+  target_[robot] = vertex;
+  for (double& arrival_s : arrival_s_) arrival_s = std::max(arrival_s, time_s);
+  arrival_s_[robot] = time_s;
+  return Visit(robot, time_s);
+}
+
 void PatrolWorld::AdvanceTo(double time_s) {
   RONDA_CHECK(waiting_ < 0, "robot {} waits for its next vertex", waiting_);
   const double next_s = *std::min_element(arrival_s_.begin(), arrival_s_.end());

@@ -79,6 +79,10 @@ class PatrolWorld {
   std::optional<Arrival> NextArrival(double until_s);
   void Depart(int robot, int next_vertex);  // a neighbour of where it stands; else a bug
 
+  /// Instead of NextArrival, where robots are real: `robot` says that it is at `vertex` at `time_s`
+  /// ≥ the clock. Others that should have arrived by then are expected at any moment.
+  Arrival Arrive(int robot, int vertex, double time_s);
+
   /// Moves the clock on with no event in between (none may be pending before `time_s`): closes the
   /// window of measurement.
   void AdvanceTo(double time_s);
@@ -119,6 +123,8 @@ class PatrolWorld {
     return 0.5 * (idleness_s * idleness_s - before_s * before_s);
   }
   double NoiseFactor();
+  /// `robot` is where it went, at `time_s`.
+  Arrival Visit(int robot, double time_s);
 
   const PatrolGraph* graph_;
   double travel_noise_;
@@ -148,7 +154,11 @@ inline std::optional<Arrival> PatrolWorld::NextArrival(double until_s) {
     }
   }
   if (earliest_s > until_s) return std::nullopt;
-  time_s_ = earliest_s;
+  return Visit(robot, earliest_s);
+}
+
+inline Arrival PatrolWorld::Visit(int robot, double time_s) {
+  time_s_ = time_s;
   waiting_ = robot;
   const int vertex = target_[robot];
   const double idleness_s = time_s_ - last_visit_s_[vertex];

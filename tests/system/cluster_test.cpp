@@ -5,6 +5,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "common/policies/policy_file.h"
 #include "tests/system/launched_run.h"
 
 namespace ronda {
@@ -73,6 +74,17 @@ TEST_CASE("A cluster learns the optimal patrol of the 4-node map with two robots
   CHECK(summary["transitions_forgotten"] == 0);
   CHECK(summary["agi_s"]["mean"].get<double>() <= 27.5);  // the optimum is 25, cyclic has 32.5
   CHECK(summary["best_classical_agi_s"]["mean"].get<double>() > 27.5);
+
+  const TrainingFacts facts = ReadPolicyFile(run.folder() / "checkpoints/best.ronda").training;
+  CHECK(facts.map == "4nodes");
+  CHECK(facts.agents == 2);
+  CHECK(facts.speed_mps == 1.0);
+  CHECK(facts.algorithm == "dqn");
+  CHECK(facts.reward == "hindsight");
+  CHECK(facts.discount_horizon_s > 0.0);
+  CHECK(facts.decisions > 0);
+  CHECK(facts.training_s > 0.0);
+  CHECK(facts.agi_s == summary["agi_s"]["mean"]);
 
   // The policy that it kept does the same under `ronda evaluate`.
   LaunchedRun evaluate(temporary.path() / "run",

@@ -15,16 +15,17 @@ BELOW = {
     "common/rl": ["common/base"],
     "common/environments": ["common/rl", "common/world"],
     "common/policies": ["common/rl", "common/nn"],
+    "common/team": ["common/environments", "common/policies"],
     "common/local": ["common/rl"],
     "common/run": ["common/rl"],
     "common/dds": ["common/rl"],
-    "common/evaluation": ["common/environments", "common/policies"],
+    "common/evaluation": ["common/world"],
     "actor": ["common/environments", "common/policies"],
     "replay": ["common/rl"],
     "learner": ["common/policies"],
 }
 # Level 3, and what stands beside the levels: any library.
-FREE = {"deploy", "bench", "tests", "python"}
+FREE = {"deploy", "bench", "examples", "tests", "python"}
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 MIDDLEWARE = re.compile(r"(fastdds|fastrtps|fastcdr)/")

@@ -80,7 +80,8 @@ TEST_CASE("A refusal names the file and what is wrong with it") {
                     Contains(path.string()) && Contains("cannot open"));
   CHECK_THROWS_WITH(ReadCheckedFile(folder.path(), kMagic, 1), Contains("not a regular file"));
   WriteCheckedFile(path, kMagic, 2, "abc");
-  CHECK_THROWS_WITH(ReadCheckedFile(path, kMagic, 1), Contains("version 2 is newer than 1"));
+  CHECK_THROWS_WITH(ReadCheckedFile(path, kMagic, 1),
+                    Contains("written by a newer ronda: format 2, this one reads up to 1"));
   CHECK_THROWS_WITH(ReadCheckedFile(path, "OTHERFIL", 2), Contains("not a OTHERFIL file"));
   const std::string whole = ReadBytes(path);
   WriteBytes(path, whole.substr(0, whole.size() - 1));

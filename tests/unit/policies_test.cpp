@@ -7,6 +7,7 @@
 
 #include "common/base/checked_file.h"
 #include "common/base/error.h"
+#include "common/base/whole_file.h"
 #include "common/policies/policy_file.h"
 #include "common/policies/q_policy.h"
 #include "tests/temporary_folder.h"
@@ -105,12 +106,20 @@ TEST_CASE("A scorer's weights load for another number of actions") {
 PolicyFile SomePolicy() {
   Rng rng(33);
   PolicyFile policy{.spec = Scorer(2),
-                    .map = "cumberland",
-                    .agents = 10,
-                    .training = "ronda train --seed 3; 18000 updates",
+                    .training = {.map = "cumberland",
+                                 .agents = 10,
+                                 .speed_mps = 1.5,
+                                 .algorithm = "dqn",
+                                 .seed = 3,
+                                 .reward = "hindsight",
+                                 .discount_horizon_s = 51.25,
+                                 .decisions = 200'000,
+                                 .training_s = 90.5,
+                                 .agi_s = 12.92,
+                                 .agi_ci95_s = 0.03,
+                                 .ronda_version = "0.1.0"},
                     .version = 180,
                     .updates = 18000,
-                    .discount_horizon_s = 51.25,
                     .weights = {}};
   policy.weights = RandomVector<float>(rng, ParameterCount(policy.spec));
   return policy;
@@ -153,13 +162,13 @@ TEST_CASE("A payload with a sound checksum and any byte changed never does worse
   const TemporaryFolder folder;
   const auto path = folder.path() / "policy";
   WritePolicyFile(path, SomePolicy());
-  const std::string payload = ReadCheckedFile(path, "RONDAPOL", 1).payload;
+  const std::string payload = ReadCheckedFile(path, "RONDAPOL", kPolicyFormat).payload;
   std::size_t refused = 0;
   for (std::size_t i = 0; i < 200; ++i) {  // the archive's head, where lengths and sizes are
     for (const int flip : {0x01, 0x7F, 0xFF}) {
       std::string changed = payload;
       changed[i] = static_cast<char>(changed[i] ^ flip);
-      WriteCheckedFile(path, "RONDAPOL", 1, changed);
+      WriteCheckedFile(path, "RONDAPOL", kPolicyFormat, changed);
       try {
         (void)ReadPolicyFile(path);
       } catch (const CheckpointError&) {
@@ -183,8 +192,53 @@ TEST_CASE("A policy that contradicts itself is neither written nor read") {
   refused([](PolicyFile& p) { p.weights[3] = std::nanf(""); }, "weight 3 must be finite, got nan");
   refused([](PolicyFile& p) { p.weights.pop_back(); }, "weights, it holds");
   refused([](PolicyFile& p) { p.spec.hidden = {1 << 20, 1 << 20}; }, "at most");
-  refused([](PolicyFile& p) { p.agents = -1; }, "agents must be ≥ 0, got -1");
-  refused([](PolicyFile& p) { p.discount_horizon_s = -1.0; }, "discount_horizon_s");
+  refused([](PolicyFile& p) { p.training.agents = -1; }, "agents must be ≥ 0, got -1");
+  refused([](PolicyFile& p) { p.training.discount_horizon_s = -1.0; }, "discount_horizon_s");
+  refused([](PolicyFile& p) { p.training.agi_s = std::nan(""); }, "agi_s must be finite");
+  refused([](PolicyFile& p) { p.training.seed = -2; }, "seed must be");
+  refused([](PolicyFile& p) { p.training.map = "a\33[2J"; }, "map must be at most");
+  refused([](PolicyFile& p) { p.training.reward = std::string(1025, 'x'); }, "reward must be");
+  refused([](PolicyFile& p) { p.spec.schema = "what is seen"; }, "schema");
+}
+
+TEST_CASE("A sound file whose numbers are no network's is refused") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "policy";
+  const auto refused = [&](std::size_t at, const std::string& bytes, const std::string& words) {
+    WritePolicyFile(path, SomePolicy());
+    std::string payload = ReadCheckedFile(path, "RONDAPOL", kPolicyFormat).payload;
+    payload.replace(at < payload.size() ? at : payload.size() - bytes.size(), bytes.size(), bytes);
+    WriteCheckedFile(path, "RONDAPOL", kPolicyFormat, payload);
+    CHECK_THROWS_WITH(ReadPolicyFile(path), Contains(path.string()) && Contains(words));
+  };
+  constexpr auto kLast = std::string::npos;
+  refused(kLast, std::string("\0\0\xC0\x7F", 4), "must be finite, got nan");
+  refused(1, std::string("\7\0\0\0", 4), "unknown kind 7");
+  refused(13, std::string("\4\0\0\0", 4), "num_actions × features");  // features
+  refused(25, std::string("\11\0\0\0", 4), "weights, it holds");      // a hidden layer's width
+}
+
+TEST_CASE("A file of format 1 is read, with the facts that it knows") {
+  const PolicyFile sut = ReadPolicyFile(RONDA_SOURCE_DIR "/tests/golden/policy_format_1.ronda");
+  CHECK(DescribeArchitecture(sut.spec) ==
+        "scorer schema=patrol-candidates-26 features=26 hidden=6 layer_norm=1 activation=relu "
+        "format=1");
+  CHECK(sut.training == TrainingFacts{.map = "4nodes", .agents = 2, .algorithm = "dqn, seed 1"});
+  CHECK(sut.format == 1);
+  CHECK(sut.weights.size() == ParameterCount(sut.spec));
+}
+
+TEST_CASE("A file of format 2 is read, and written again with the same bytes") {
+  const TemporaryFolder folder;
+  const std::filesystem::path golden = RONDA_SOURCE_DIR "/tests/golden/policy_format_2.ronda";
+  const PolicyFile sut = ReadPolicyFile(golden);
+  CHECK(sut.training.map == "4nodes");
+  CHECK(sut.training.reward == "hindsight");
+  CHECK(sut.training.discount_horizon_s == 19.5);
+  CHECK(sut.training.decisions == 6144);
+  CHECK(sut.updates == 217);
+  WritePolicyFile(folder / "again", sut);
+  CHECK(ReadWholeFile(folder / "again") == ReadWholeFile(golden));
 }
 
 TEST_CASE("A checked file of another kind or a newer version is no policy") {
@@ -192,8 +246,12 @@ TEST_CASE("A checked file of another kind or a newer version is no policy") {
   const auto path = folder.path() / "policy";
   WriteCheckedFile(path, "RONDACKP", 1, "x");
   CHECK_THROWS_WITH(ReadPolicyFile(path), Contains("not a RONDAPOL file"));
-  WriteCheckedFile(path, "RONDAPOL", 2, "x");
-  CHECK_THROWS_WITH(ReadPolicyFile(path), Contains("newer"));
+  WriteCheckedFile(path, "RONDAPOL", kPolicyFormat + 1, "x");
+  CHECK_THROWS_WITH(ReadPolicyFile(path),
+                    Contains(path.string() + ": written by a newer ronda: format 3, this one reads "
+                                             "up to 2"));
+  std::ofstream(path) << "[run]\nmap = \"cumberland\"\n";
+  CHECK_THROWS_WITH(ReadPolicyFile(path), Contains(path.string() + ": not a RONDAPOL file"));
 }
 
 }  // namespace

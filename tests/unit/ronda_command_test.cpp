@@ -1,9 +1,5 @@
 // The front command as a user meets it: exit status, one sentence on stderr, nothing half-written.
-#include <sys/wait.h>
-
-#include <array>
 #include <catch2/catch.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,27 +7,12 @@
 #include <string>
 
 #include "tests/temporary_folder.h"
+#include "tests/unit/ronda_program.h"
 
 namespace ronda {
 namespace {
 
-struct CommandResult {
-  int status;
-  std::string output;  // stdout and stderr
-};
-
-CommandResult Ronda(const std::string& arguments) {
-  const std::string command = RONDA_BIN_DIR "/ronda " + arguments + " 2>&1";
-  FILE* const pipe = ::popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  CommandResult result{};
-  std::array<char, 4096> buffer{};
-  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    result.output.append(buffer.data(), n);
-  }
-  result.status = WEXITSTATUS(::pclose(pipe));
-  return result;
-}
+using testing::Ronda;
 
 std::string Evaluate(const std::string& arguments) {
   return "evaluate --map " RONDA_SOURCE_DIR "/maps/4nodes.json " + arguments;

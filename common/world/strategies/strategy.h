@@ -2,7 +2,7 @@
 // A patrol strategy: tells a robot that has arrived at a vertex which neighbour to go to next.
 //
 // Classical baselines implement it one a file; a trained network does through
-// evaluation/policy_strategy. One object serves the whole team; it keeps what its robots know.
+// team/policy_strategy. One object serves the whole team; it keeps what its robots know.
 // Thread-compatible: one object for each thread.
 #include <memory>
 #include <span>

@@ -1,4 +1,4 @@
-#include "common/evaluation/policy_strategy.h"
+#include "common/team/policy_strategy.h"
 
 #include <fmt/format.h>
 
@@ -20,8 +20,8 @@ NetworkSpec FitToMap(NetworkSpec spec, const ObservationEncoder& encoder, const 
   } else if (spec.observation_size != observation_size || spec.num_actions != num_actions) {
     throw InputError(fmt::format(
         "the policy was trained on {} and reads {} numbers for {} actions; {} gives {} for {}",
-        policy.map, spec.observation_size, spec.num_actions, graph.name(), observation_size,
-        num_actions));
+        policy.training.map, spec.observation_size, spec.num_actions, graph.name(),
+        observation_size, num_actions));
   }
   return spec;
 }
@@ -59,6 +59,16 @@ class PolicyStrategy final : public Strategy {
 std::unique_ptr<Strategy> MakePolicyStrategy(const PolicyFile& policy,
                                              const StrategyContext& context) {
   return std::make_unique<PolicyStrategy>(policy, context);
+}
+
+std::unique_ptr<Strategy> LoadPolicyStrategy(const std::filesystem::path& policy_file,
+                                             const StrategyContext& context) {
+  const PolicyFile policy = ReadPolicyFile(policy_file);
+  try {
+    return MakePolicyStrategy(policy, context);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", policy_file.string(), error.what()));
+  }
 }
 
 }  // namespace ronda

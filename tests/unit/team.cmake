@@ -1,0 +1,1 @@
+ronda_test(team_test SOURCES patrol_team_test.cpp LINKS ronda::team)
