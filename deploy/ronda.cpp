@@ -9,6 +9,7 @@
 #include "deploy/policy_command.h"
 #include "deploy/runs_command.h"
 #include "deploy/scale_command.h"
+#include "deploy/status_command.h"
 #include "deploy/stop_command.h"
 #include "deploy/train_command.h"
 
@@ -30,6 +31,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   ronda::AddTrainCommand(app, stop, exit_status);
   ronda::AddRunsCommand(app);
   ronda::AddScaleCommand(app, stop);
+  ronda::AddStatusCommand(app, exit_status);
   ronda::AddStopCommand(app, stop);
   ronda::AddEvaluateCommand(app, stop);
   ronda::AddCompareCommand(app, stop);

@@ -13,44 +13,6 @@ namespace {
 
 using std::chrono::seconds;
 
-std::vector<std::string> TrainFourNodes(const std::string& decisions) {
-  return {"train",
-          "--map",
-          "4nodes",
-          "--agents",
-          "2",
-          "--actors",
-          "2",
-          "--run",
-          "{run}",
-          "--set",
-          "replay.min_size=1000",
-          "--decisions",
-          decisions};
-}
-
-/// From now on transitions are stored and weights published: the whole circle works.
-bool GoesOn(const LaunchedRun& run) {
-  const std::uint64_t stored = run.StoredTransitions();
-  const auto version = run.WeightsVersion();
-  return WaitUntil(
-      [&] { return run.StoredTransitions() > stored + 2000 && run.WeightsVersion() > version + 5; },
-      seconds(60));
-}
-
-/// What must hold of every run's summary, whatever happened.
-void CheckCounts(const nlohmann::json& summary) {
-  REQUIRE_FALSE(summary.is_null());
-  INFO(summary.dump(1));
-  CHECK(summary["transitions_sent"].get<std::uint64_t>() ==
-        summary["transitions_stored"].get<std::uint64_t>() +
-            summary["transitions_lost"].get<std::uint64_t>() +
-            summary["transitions_in_flight"].get<std::uint64_t>());
-  CHECK(summary["transitions_doubled"] == 0);
-  CHECK(summary["transitions_in_flight"] == 0);
-  CHECK(summary["messages_refused"] == 0);
-}
-
 TEST_CASE("A cluster learns the optimal patrol of the 4-node map with two robots within 10 %") {
   const TemporaryFolder temporary;
   LaunchedRun run(temporary.path() / "run", TrainFourNodes("120000"));
@@ -205,44 +167,6 @@ TEST_CASE("A cluster works with the socket buffers that a bare Debian grants") {
   CHECK(run.WaitForEnd(seconds(120)).code == 0);
   CheckCounts(run.Summary());
   CHECK(run.Summary()["transitions_lost"] == 0);
-}
-
-/// A folder with the real programs, but for one that is a script.
-std::filesystem::path ProgramsWithScript(const std::filesystem::path& folder,
-                                         const std::string& replaced, const std::string& script) {
-  std::filesystem::create_directory(folder);
-  for (const std::string name : {"ronda", "ronda-actor", "ronda-replay", "ronda-learner"}) {
-    if (name != replaced) {
-      std::filesystem::copy_file(std::filesystem::path(RONDA_BIN_DIR) / name, folder / name);
-    }
-  }
-  std::ofstream(folder / replaced) << "#!/bin/sh\n" << script;
-  std::filesystem::permissions(folder / replaced, std::filesystem::perms::owner_all);
-  return folder / "ronda";
-}
-
-TEST_CASE("A process that dies again and again ends the run with status 7 and its last words") {
-  const TemporaryFolder temporary;
-  LaunchedRun run(temporary.path() / "run", TrainFourNodes("1000000000"),
-                  ProgramsWithScript(temporary.path() / "bin", "ronda-actor",
-                                     "echo the actor cannot go on >&2\nexit 1\n"));
-
-  CHECK(run.WaitForEnd(seconds(60)).code == 7);
-  INFO(run.Output());
-  CHECK(run.Output().find("5 deaths") != std::string::npos);
-  CHECK(run.Output().find("the actor cannot go on") != std::string::npos);
-}
-
-TEST_CASE("A learner that says that its loss diverged ends the run with its status at once") {
-  const TemporaryFolder temporary;
-  LaunchedRun run(temporary.path() / "run", TrainFourNodes("1000000000"),
-                  ProgramsWithScript(temporary.path() / "bin", "ronda-learner",
-                                     "echo the loss is not finite >&2\nexit 6\n"));
-
-  CHECK(run.WaitForEnd(seconds(60)).code == 6);
-  INFO(run.Output());
-  CHECK(run.Output().find("the loss is not finite") != std::string::npos);
-  CHECK(run.Summary()["restarts"]["learner"] == 0);
 }
 
 TEST_CASE("Bad input is refused with its status and leaves no run folder behind") {

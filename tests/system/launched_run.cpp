@@ -78,18 +78,69 @@ ExitStatus LaunchedRun::WaitForEnd(std::chrono::seconds at_most) {
 
 std::string LaunchedRun::Output() const { return ReadText(output_); }
 
+nlohmann::json LaunchedRun::Status() const { return ReadJson(run_folder_ / "status.json"); }
+
 nlohmann::json LaunchedRun::Summary() const { return ReadJson(run_folder_ / "summary.json"); }
 
 nlohmann::json LaunchedRun::State() const { return ReadJson(run_folder_ / "state.json"); }
 
 std::uint64_t LaunchedRun::StoredTransitions() const {
-  const auto state = State();
-  return state.is_null() ? 0 : state["totals"]["stored"].get<std::uint64_t>();
+  const auto status = Status();
+  return status.is_null() ? 0 : status["totals"]["stored"].get<std::uint64_t>();
 }
 
 std::uint64_t LaunchedRun::WeightsVersion() const {
-  const auto state = State();
-  return state.is_null() ? 0 : state["totals"]["weights_version"].get<std::uint64_t>();
+  const auto status = Status();
+  return status.is_null() ? 0 : status["totals"]["weights_version"].get<std::uint64_t>();
+}
+
+std::vector<std::string> TrainFourNodes(const std::string& decisions) {
+  return {"train",
+          "--map",
+          "4nodes",
+          "--agents",
+          "2",
+          "--actors",
+          "2",
+          "--run",
+          "{run}",
+          "--set",
+          "replay.min_size=1000",
+          "--decisions",
+          decisions};
+}
+
+bool GoesOn(const LaunchedRun& run) {
+  const std::uint64_t stored = run.StoredTransitions();
+  const auto version = run.WeightsVersion();
+  return WaitUntil(
+      [&] { return run.StoredTransitions() > stored + 2000 && run.WeightsVersion() > version + 5; },
+      std::chrono::seconds(60));
+}
+
+void CheckCounts(const nlohmann::json& summary) {
+  REQUIRE_FALSE(summary.is_null());
+  INFO(summary.dump(1));
+  CHECK(summary["transitions_sent"].get<std::uint64_t>() ==
+        summary["transitions_stored"].get<std::uint64_t>() +
+            summary["transitions_lost"].get<std::uint64_t>() +
+            summary["transitions_in_flight"].get<std::uint64_t>());
+  CHECK(summary["transitions_doubled"] == 0);
+  CHECK(summary["transitions_in_flight"] == 0);
+  CHECK(summary["messages_refused"] == 0);
+}
+
+std::filesystem::path ProgramsWithScript(const std::filesystem::path& folder,
+                                         const std::string& replaced, const std::string& script) {
+  std::filesystem::create_directory(folder);
+  for (const std::string name : {"ronda", "ronda-actor", "ronda-replay", "ronda-learner"}) {
+    if (name != replaced) {
+      std::filesystem::copy_file(std::filesystem::path(RONDA_BIN_DIR) / name, folder / name);
+    }
+  }
+  std::ofstream(folder / replaced) << "#!/bin/sh\n" << script;
+  std::filesystem::permissions(folder / replaced, std::filesystem::perms::owner_all);
+  return folder / "ronda";
 }
 
 }  // namespace ronda

@@ -39,9 +39,10 @@ class LaunchedRun {
   std::optional<ExitStatus> Poll() { return child_.Poll(); }
 
   std::string Output() const;               // stdout and stderr so far
+  nlohmann::json Status() const;            // status.json; null where there is none
   nlohmann::json Summary() const;           // summary.json; null where there is none
   nlohmann::json State() const;             // state.json; null where there is none
-  std::uint64_t StoredTransitions() const;  // as of the last state.json
+  std::uint64_t StoredTransitions() const;  // as of the last status.json
   std::uint64_t WeightsVersion() const;
   const std::filesystem::path& folder() const { return run_folder_; }
 
@@ -50,5 +51,18 @@ class LaunchedRun {
   std::filesystem::path output_;
   ChildProcess child_;
 };
+
+/// `ronda train` on the 4-node map with 2 robots and 2 actors, in the folder {run}.
+std::vector<std::string> TrainFourNodes(const std::string& decisions);
+
+/// From now on transitions are stored and weights published: the whole circle works.
+bool GoesOn(const LaunchedRun& run);
+
+/// What must hold of every run's summary, whatever happened.
+void CheckCounts(const nlohmann::json& summary);
+
+/// A folder with the real programs, but for one that is a script; the path of its `ronda`.
+std::filesystem::path ProgramsWithScript(const std::filesystem::path& folder,
+                                         const std::string& replaced, const std::string& script);
 
 }  // namespace ronda
