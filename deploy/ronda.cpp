@@ -5,6 +5,7 @@
 #include "common/base/error.h"
 #include "common/run/process.h"
 #include "deploy/compare_command.h"
+#include "deploy/config_command.h"
 #include "deploy/evaluate_command.h"
 #include "deploy/train_command.h"
 
@@ -26,6 +27,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   ronda::AddTrainCommand(app, stop, exit_status);
   ronda::AddEvaluateCommand(app, stop);
   ronda::AddCompareCommand(app, stop);
+  ronda::AddConfigCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
