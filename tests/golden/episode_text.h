@@ -4,9 +4,9 @@
 // the legal ones) and the rewards that it settled.
 //
 // Times, discounts and rewards have three decimals, observations two. A number so near the middle
-// between two that another machine could print the other one fails the test: choose another seed. Kept episodes
-// are files in tests/golden; RONDA_REWRITE_GOLDEN=1 makes CheckKeptEpisode write instead of
-// compare. After OpenSpiel's playthroughs (Lanctot et al. 2019).
+// between two that another machine could print the other one fails the test: choose another seed.
+// Kept episodes are files in tests/golden; RONDA_REWRITE_GOLDEN=1 makes CheckKeptEpisode write
+// instead of compare. After OpenSpiel's playthroughs (Lanctot et al. 2019).
 #include <cstdint>
 #include <functional>
 #include <string>
