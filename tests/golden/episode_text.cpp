@@ -57,7 +57,8 @@ std::string EpisodeText(Environment& environment, const EpisodeTextOptions& opti
   Rng actions = SplitSeed(options.seed, 1);
   environment.Reset(SplitSeed(options.seed, 0));
   std::string text;
-  for (auto state = EpisodeState::kRunning; state == EpisodeState::kRunning;) {
+  auto state = EpisodeState::kRunning;
+  while (state == EpisodeState::kRunning) {
     const Decision& decision = environment.decision();
     text += fmt::format("{}: decision {} of agent {}, discount {}\n", options.place(decision),
                         decision.index, decision.agent, Rounded(decision.discount));
@@ -71,7 +72,8 @@ std::string EpisodeText(Environment& environment, const EpisodeTextOptions& opti
     }
     state = outcome.state;
   }
-  return text + options.place(environment.decision()) + ": the episode ends\n";
+  if (state == EpisodeState::kTerminal) return text + "terminal\n";
+  return text + options.place(environment.decision()) + ": cut\n";
 }
 
 void CheckKeptEpisode(const std::string& text, const std::string& name) {

@@ -71,10 +71,10 @@ TEST_CASE("compare puts all strategies into one table and one list") {
                                 Catch::Contains("Best classical"));
   std::ifstream file(json_path);
   const auto json = nlohmann::json::parse(file);
-  REQUIRE(json.size() == 8);
+  REQUIRE(json.size() >= 8);
   CHECK(json[0]["strategy"] == "random");
   CHECK(json[0]["ratio_to_random"] == 1.0);
-  CHECK(json[7]["strategy"] == "cyclic");
+  CHECK(json.back()["strategy"] == "cyclic");
 }
 
 TEST_CASE("Bad arguments end with status 2 and a sentence that says what is wrong") {
