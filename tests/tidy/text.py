@@ -9,7 +9,8 @@ COLUMNS = 100
 HEADER_LINES = 200
 SOURCE_LINES = 450
 FUNCTION_LINES = 80
-SNAKE_CASE = re.compile(r"[a-z0-9_]+(\.[a-z0-9_]+)*/?")
+# CMake looks for packages in files that are called FindNAME.cmake.
+SNAKE_CASE = re.compile(r"[a-z0-9_]+(\.[a-z0-9_]+)*|Find\w+\.cmake")
 OPEN_POINT = re.compile(r"\b(TODO|FIXME|HACK)\b")
 # Examples in a contract are indented behind their //, so they are not meant.
 CODE_COMMENT = re.compile(

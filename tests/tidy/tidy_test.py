@@ -146,8 +146,9 @@ class Text(unittest.TestCase):
 
     def test_names(self):
         files = {"run_manager.h": "", "handler_list.cpp": "", "utils.py": "", "manage.h": "",
-                 "BigName.cpp": "", "a/Big/b.h": "", "two-words.sh": "", "CMakeLists.txt": ""}
-        self.assertEqual(len(breaches(text.check_names, files)), 6)
+                 "BigName.cpp": "", "a/Big/b.h": "", "two-words.sh": "", "CMakeLists.txt": "",
+                 "cmake/FindGLPK.cmake": "", "FindGLPK.h": ""}
+        self.assertEqual(len(breaches(text.check_names, files)), 7)
 
     def test_code_in_comments_and_open_points_are_breaches(self):
         check = text.check_comments
