@@ -90,7 +90,7 @@ int Run(int argc, char** argv) {
   const RunConfig& run = setup.run();
   const StrategyContext& context = setup.context();
   const std::uint64_t budget = run.budget_decisions;
-  Config config = Config::FromString(setup.resolved(), "resolved");
+  Config config = Config::FromString(setup.config().Resolved(), "resolved");
   const LearnerConfig learner_config = ReadLearnerConfig(config, run);
   const ReplayServerConfig replay_config = ReadReplayConfig(config, run);
   ActorConfig actor_config = setup.actor();

@@ -86,7 +86,7 @@ void AddCompareCommand(CLI::App& app, std::stop_token stop) {
       ->allow_extra_args(false);
   command
       ->add_option("--strategies", arguments->strategies,
-                   "all, or a comma-separated list of random, cr, sebs, er, gei, gei:P, cyclic")
+                   "all, or a comma-separated list of " + StrategyNames())
       ->delimiter(',')
       ->allow_extra_args(false);
   command->footer("Example:\n  ronda compare --map cumberland --agents 10 --strategies all");

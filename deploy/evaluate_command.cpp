@@ -67,8 +67,7 @@ void AddEvaluateCommand(CLI::App& app, std::stop_token stop) {
   auto* contestant = command->add_option_group("contestant");
   contestant->add_option("--policy", arguments->policy,
                          "a run folder, a policy file or a shipped policy's name");
-  contestant->add_option("--strategy", arguments->strategy,
-                         "random, cr, sebs, er, gei, gei:P or cyclic");
+  contestant->add_option("--strategy", arguments->strategy, StrategyNames());
   contestant->require_option(1);
   command->add_option("--trace", arguments->trace_path, "write every visit to this CSV file");
   command->footer("Example:\n  ronda evaluate --map cumberland --agents 10 --strategy sebs");

@@ -5,6 +5,7 @@
 #include "common/base/error.h"
 #include "common/run/process.h"
 #include "deploy/compare_command.h"
+#include "deploy/config_command.h"
 #include "deploy/evaluate_command.h"
 #include "deploy/policy_command.h"
 #include "deploy/runs_command.h"
@@ -36,6 +37,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   ronda::AddEvaluateCommand(app, stop);
   ronda::AddCompareCommand(app, stop);
   ronda::AddPolicyCommand(app);
+  ronda::AddConfigCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

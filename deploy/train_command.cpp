@@ -15,7 +15,11 @@
 namespace ronda {
 namespace {
 
-int Train(const TrainArguments& arguments, std::stop_token stop) {
+struct TrainCommandArguments : TrainArguments {
+  bool print_config = false;
+};
+
+int Train(const TrainCommandArguments& arguments, std::stop_token stop) {
   const auto path =
       arguments.run_folder
           ? std::filesystem::path(*arguments.run_folder)
@@ -24,6 +28,10 @@ int Train(const TrainArguments& arguments, std::stop_token stop) {
   if (std::filesystem::exists(path / "config.toml")) stored = path / "config.toml";
   const TrainSetup setup(arguments,
                          stored);  // before the folder is made: bad input leaves no trace
+  if (arguments.print_config) {
+    fmt::print("{}", setup.config().Resolved());
+    return 0;
+  }
   const RunFolder folder(path);
   const RunState state = ReadRunState(path);
   if (Progress(setup.run(), state.training_s, state.totals.decisions) >= 1.0) {
@@ -33,14 +41,14 @@ int Train(const TrainArguments& arguments, std::stop_token stop) {
         path.string(), FormatDuration(state.training_s), state.totals.decisions);
     return 0;
   }
-  WriteWholeFile(folder.config_file(), setup.resolved());
+  WriteWholeFile(folder.config_file(), setup.config().Resolved());
   return RunTraining(setup, folder, std::move(stop));
 }
 
 }  // namespace
 
 void AddTrainCommand(CLI::App& app, std::stop_token stop, int& exit_status) {
-  auto arguments = std::make_shared<TrainArguments>();
+  auto arguments = std::make_shared<TrainCommandArguments>();
   CLI::App* command = app.add_subcommand(
       "train", "train a policy: replay, learner and actors as processes of their own");
   command->add_option("--map", arguments->map, "a map that ships (cumberland), or a file");
@@ -55,6 +63,8 @@ void AddTrainCommand(CLI::App& app, std::stop_token stop, int& exit_status) {
   command->add_option("--seed", arguments->seed, "all random choices follow from it (1)");
   command->add_option("--config", arguments->config_file, "a TOML file for a new run");
   command->add_option("--set", arguments->settings, "one key of the configuration: KEY=VALUE");
+  command->add_flag("--print-config", arguments->print_config,
+                    "print the configuration that the run would have, and stop");
   command->footer(
       "Ctrl-C stops with a checkpoint; the same command goes on.\n"
       "Example: ronda train --map cumberland --agents 10 --actors 2 --for 90s --run runs/first");

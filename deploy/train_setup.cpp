@@ -66,6 +66,16 @@ void CheckSameRun(const RunConfig& stored, const RunConfig& asked,
 
 }  // namespace
 
+EvaluationSchedule ReadEvaluationSchedule(Config& config) {
+  EvaluationSchedule schedule;
+  schedule.episodes =
+      static_cast<int>(config.GetInt("evaluation.episodes", 10, 1, 1000,
+                                     "of each evaluation during training, on seeds of its own"));
+  schedule.step = config.GetDouble("evaluation.step", 1.0 / 30.0, 1e-4, 1.0,
+                                   "share of the budget between two evaluations");
+  return schedule;
+}
+
 TrainSetup::TrainSetup(const TrainArguments& arguments,
                        const std::optional<std::filesystem::path>& stored) {
   if (stored && arguments.config_file) {
@@ -100,11 +110,7 @@ TrainSetup::TrainSetup(const TrainArguments& arguments,
   run_ = ReadRunConfig(config_);
   ReadLearnerConfig(config_, run_);
   ReadReplayConfig(config_, run_);
-  evaluation_episodes_ =
-      static_cast<int>(config_.GetInt("evaluation.episodes", 10, 1, 1000,
-                                      "of each evaluation during training, on seeds of its own"));
-  evaluation_step_ = config_.GetDouble("evaluation.step", 1.0 / 30.0, 1e-4, 1.0,
-                                       "share of the budget between two evaluations");
+  evaluation_ = ReadEvaluationSchedule(config_);
   config_.RejectUnknown();
   if (stored) {
     Config before = Config::FromFile(*stored);

@@ -32,6 +32,14 @@ struct TrainArguments {
   std::vector<std::string> settings;  // KEY=VALUE
 };
 
+/// When the launcher judges the policy while it trains.
+struct EvaluationSchedule {
+  int episodes = 10;         // of each evaluation
+  double step = 1.0 / 30.0;  // share of the budget between two
+};
+
+EvaluationSchedule ReadEvaluationSchedule(Config& config);
+
 /// Everything about a run that follows from its configuration. Not movable: `context` points into
 /// it.
 class TrainSetup {
@@ -43,17 +51,15 @@ class TrainSetup {
 
   const RunConfig& run() const { return run_; }
   const ActorConfig& actor() const { return actor_; }
-  int evaluation_episodes() const { return evaluation_episodes_; }
-  double evaluation_step() const { return evaluation_step_; }
-  std::string resolved() const { return config_.Resolved(); }
+  const EvaluationSchedule& evaluation() const { return evaluation_; }
+  const Config& config() const { return config_; }
   const StrategyContext& context() const { return context_; }
 
  private:
   Config config_;
   RunConfig run_;
   ActorConfig actor_;
-  int evaluation_episodes_ = 0;
-  double evaluation_step_ = 0.0;
+  EvaluationSchedule evaluation_;
   std::optional<PatrolGraph> graph_;
   std::optional<ShortestPaths> paths_;
   ClosedWalk walk_;

@@ -55,8 +55,8 @@ TrainingEvaluatorConfig EvaluatorConfig(const TrainSetup& setup, const RunFolder
   config.agents = setup.run().agents;
   config.speed_mps = setup.actor().environment.speed_mps;
   config.travel_noise = setup.actor().environment.travel_noise;
-  config.episodes = setup.evaluation_episodes();
-  config.step = setup.evaluation_step();
+  config.episodes = setup.evaluation().episodes;
+  config.step = setup.evaluation().step;
   config.seed = kEvaluationSeed + setup.run().seed;
   config.policy = PolicyOf(setup.run());
   config.checkpoints = folder.checkpoints();

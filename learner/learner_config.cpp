@@ -1,5 +1,6 @@
 #include "learner/learner_config.h"
 
+#include "common/base/check.h"
 #include "common/policies/network_config.h"
 
 namespace ronda {
@@ -42,6 +43,12 @@ LearnerConfig ReadLearnerConfig(Config& config, const RunConfig& run) {
       config.GetInt("learner.outstanding", 8, 1, 64, "mini-batches asked for ahead"));
   learner.send_priorities = run.prioritised;
   return learner;
+}
+
+std::unique_ptr<Algorithm> MakeAlgorithm(const RunConfig& run, const LearnerConfig& config) {
+  RONDA_CHECK(run.algorithm == "dqn", "algorithm {}",
+              run.algorithm);  // ReadRunConfig refuses others
+  return std::make_unique<Dqn>(config.dqn);
 }
 
 }  // namespace ronda

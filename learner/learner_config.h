@@ -1,9 +1,12 @@
 #pragma once
-// [dqn] and [learner] of the configuration. Errors: InputError as run/config.h.
+// [dqn] and [learner] of the configuration, and the algorithm that they describe. Errors:
+// InputError as run/config.h.
 #include <chrono>
+#include <memory>
 
 #include "common/run/config.h"
 #include "common/run/run_config.h"
+#include "learner/algorithm.h"
 #include "learner/dqn.h"
 
 namespace ronda {
@@ -17,5 +20,8 @@ struct LearnerConfig {
 };
 
 LearnerConfig ReadLearnerConfig(Config& config, const RunConfig& run);
+
+/// What `run.algorithm` names: dqn.
+std::unique_ptr<Algorithm> MakeAlgorithm(const RunConfig& run, const LearnerConfig& config);
 
 }  // namespace ronda

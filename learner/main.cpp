@@ -26,33 +26,33 @@ namespace {
 using std::chrono::milliseconds;
 
 /// Restores the newest checkpoint, where there is one; returns the version of its weights.
-std::uint64_t Restore(Dqn& dqn, const std::filesystem::path& checkpoints) {
+std::uint64_t Restore(Algorithm& algorithm, const std::filesystem::path& checkpoints) {
   std::string note;
   const auto checkpoint = ReadLearnerCheckpoint(checkpoints, note);
   if (!note.empty()) LogWarning("the previous checkpoint is used: {}", note);
   if (!checkpoint) return 0;
-  dqn.Load(checkpoint->algorithm);
-  LogInfo("goes on from update {}", dqn.updates());
+  algorithm.Load(checkpoint->algorithm);
+  LogInfo("goes on from update {}", algorithm.updates());
   return checkpoint->weights_version;
 }
 
-void Save(const Dqn& dqn, const Learner& learner, const RunConfig& run,
+void Save(const Algorithm& algorithm, const Learner& learner, const RunConfig& run,
           const std::filesystem::path& checkpoints) {
-  WriteLearnerCheckpoint(checkpoints,
-                         {.algorithm = dqn.Save(), .weights_version = learner.weights_version()});
+  WriteLearnerCheckpoint(
+      checkpoints, {.algorithm = algorithm.Save(), .weights_version = learner.weights_version()});
   PolicyFile policy = PolicyOf(run);
   policy.version = learner.weights_version();
-  policy.updates = dqn.updates();
-  const auto weights = dqn.parameters();
+  policy.updates = algorithm.updates();
+  const auto weights = algorithm.parameters();
   policy.weights.assign(weights.begin(), weights.end());
   WritePolicyFile(checkpoints / "latest.ronda", policy);
 }
 
 /// False where the disk takes no checkpoint; the former one stands then. Said when it begins.
-bool TrySave(const Dqn& dqn, const Learner& learner, const RunConfig& run,
+bool TrySave(const Algorithm& algorithm, const Learner& learner, const RunConfig& run,
              const std::filesystem::path& checkpoints, bool saved_before) {
   try {
-    Save(dqn, learner, run, checkpoints);
+    Save(algorithm, learner, run, checkpoints);
     return true;
   } catch (const Error& error) {
     if (saved_before) LogWarning("no checkpoint, the former one stands: {}", error.what());
@@ -60,7 +60,7 @@ bool TrySave(const Dqn& dqn, const Learner& learner, const RunConfig& run,
   }
 }
 
-ProcessReport Report(const RoleOptions& options, const Dqn& dqn, const Learner& learner,
+ProcessReport Report(const RoleOptions& options, const Algorithm& algorithm, const Learner& learner,
                      const dds::LearnerEndpoint& batches, bool waiting, bool saved) {
   const UpdateStats& last = learner.last_update();
   return {.role = "learner",
@@ -68,7 +68,7 @@ ProcessReport Report(const RoleOptions& options, const Dqn& dqn, const Learner& 
           .incarnation = options.incarnation,
           .pid = getpid(),
           .state = waiting ? "waiting for mini-batches" : "running",
-          .metrics = {{"updates", static_cast<double>(dqn.updates())},
+          .metrics = {{"updates", static_cast<double>(algorithm.updates())},
                       {"weights_version", static_cast<double>(learner.weights_version())},
                       {"policy_lag_versions", learner.policy_lag_versions()},
                       {"messages_refused", static_cast<double>(batches.messages_refused())},
@@ -87,8 +87,8 @@ int Body(int argc, char** argv, std::stop_token stop) {
   const RunConfig run = ReadRunConfig(file);
   const LearnerConfig config = ReadLearnerConfig(file, run);
   const auto checkpoints = options.run_folder / "checkpoints";
-  Dqn dqn(config.dqn);
-  const std::uint64_t restored_version = Restore(dqn, checkpoints);
+  const auto algorithm = MakeAlgorithm(run, config);
+  const std::uint64_t restored_version = Restore(*algorithm, checkpoints);
 
   dds::Participant participant({.domain = options.domain,
                                 .run_id = options.run_id,
@@ -101,7 +101,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   dds::WeightsWriter weights(participant);
   dds::ControlReader control(participant);
   dds::ReportWriter reports(participant);
-  Learner learner(dqn, batches, batches, weights,
+  Learner learner(*algorithm, batches, batches, weights,
                   {.incarnation = options.incarnation,
                    .weights_version = std::max(restored_version, options.weights_version),
                    .publish_every = config.publish_every,
@@ -110,20 +110,20 @@ int Body(int argc, char** argv, std::stop_token stop) {
   Every checkpoint_due(config.checkpoint_every);
   bool saved = true;
   while (!stop.stop_requested()) {
-    if (const RunControl* news = control.Newest()) dqn.set_progress(news->progress);
+    if (const RunControl* news = control.Newest()) algorithm->set_progress(news->progress);
     const int updates = learner.Step(std::chrono::steady_clock::now(), milliseconds(20));
     const auto now = std::chrono::steady_clock::now();
     if (report_due.Due(now)) {
-      reports.Send(Report(options, dqn, learner, batches, updates == 0, saved));
+      reports.Send(Report(options, *algorithm, learner, batches, updates == 0, saved));
     }
     for (const auto& refusal : batches.TakeRefusals()) LogWarning("{}", refusal);
-    if (checkpoint_due.Due(now)) saved = TrySave(dqn, learner, run, checkpoints, saved);
+    if (checkpoint_due.Due(now)) saved = TrySave(*algorithm, learner, run, checkpoints, saved);
   }
   learner.Publish(std::chrono::steady_clock::now());
-  saved = TrySave(dqn, learner, run, checkpoints, true);
-  reports.Send(Report(options, dqn, learner, batches, false, saved));
+  saved = TrySave(*algorithm, learner, run, checkpoints, true);
+  reports.Send(Report(options, *algorithm, learner, batches, false, saved));
   reports.Flush(milliseconds(100));
-  LogInfo("stopped after update {}, {}", dqn.updates(),
+  LogInfo("stopped after update {}, {}", algorithm->updates(),
           saved ? "checkpoint written" : "no checkpoint could be written");
   return saved ? 0 : static_cast<int>(ExitCode::kCheckpoint);
 }

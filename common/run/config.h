@@ -22,6 +22,14 @@ class Config {
   using IntList = std::vector<std::int64_t>;
   /// monostate: a kind of value that no key has (a date, a list of texts).
   using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, IntList>;
+  /// What a getter registered.
+  struct Known {
+    std::string key;
+    std::string value;  // as TOML
+    std::string default_value;
+    std::string rule;  // "1 to 65536"
+    std::string doc;
+  };
 
   Config() = default;
   static Config FromFile(const std::filesystem::path& path);
@@ -54,6 +62,8 @@ class Config {
   /// Throws for the first key that no getter asked for, and names the nearest one that is known.
   void RejectUnknown() const;
 
+  const std::vector<Known>& known() const { return known_; }  // in the order of registration
+
   /// All registered keys in their sections, in the order of registration, each below a comment with
   /// its doc, rule and default; reads back to the same values.
   std::string Resolved() const;
@@ -63,13 +73,6 @@ class Config {
     Value value;
     std::string text;   // as TOML
     std::string place;  // "config.toml:3:1", "--set dqn.batch_size=0"
-  };
-  struct Known {
-    std::string key;
-    std::string value;  // as TOML
-    std::string default_value;
-    std::string rule;  // "1 to 65536"
-    std::string doc;
   };
 
   struct Reader;  // TOML → given_; in the source, so that no TOML type shows here

@@ -7,6 +7,8 @@ run on this machine. Python's standard library only.
 import argparse
 import sys
 
+import claims
+import documents
 import formatting
 import includes
 import text
@@ -14,14 +16,18 @@ import walks
 
 CHECKS = {
     "columns": text.check_columns,
+    "comments": text.check_comments,
     "contracts": text.check_contracts,
+    "decisions": documents.check_decisions,
     "formatting": formatting.check_formatting,
     "levels": includes.check_levels,
     "libraries": includes.check_libraries,
+    "links": documents.check_links,
     "middleware": includes.check_middleware,
     "names": text.check_names,
     "sizes": text.check_sizes,
     "sleeps": text.check_sleeps,
+    "tests": claims.check_tests,
     "walks": walks.check_walks,
 }
 CANNOT_RUN = 77

@@ -4,6 +4,8 @@ import pathlib
 import tempfile
 import unittest
 
+import claims
+import documents
 import formatting
 import includes
 import text
@@ -133,9 +135,30 @@ class Text(unittest.TestCase):
         files = {"a.h": "\n" * 201, "a.cpp": "\n" * 451}
         self.assertEqual(len(breaches(text.check_sizes, files)), 2)
 
+    def test_a_function_has_80_lines_at_most(self):
+        function = "int F(int a,\n      int b) {\n%s}\n\nstruct S {\n};\n"
+        check = text.check_sizes
+        self.assertEqual(breaches(check, {"a.cpp": function % ("  f();\n" * 77)}), [])
+        found = breaches(check, {"a.cpp": function % ("  f();\n" * 78)})
+        self.assertEqual(len(found), 1)
+        self.assertIn("a.cpp:1", found[0])
+        self.assertEqual(breaches(check, {"a_reference.h": function % ("  f();\n" * 78)}), [])
+
     def test_names(self):
-        files = {"run_manager.h": "", "HandlerList.cpp": "", "utils.py": "", "manage.h": ""}
-        self.assertEqual(len(breaches(text.check_names, files)), 3)
+        files = {"run_manager.h": "", "handler_list.cpp": "", "utils.py": "", "manage.h": "",
+                 "BigName.cpp": "", "a/Big/b.h": "", "two-words.sh": "", "CMakeLists.txt": "",
+                 "cmake/FindGLPK.cmake": "", "FindGLPK.h": ""}
+        self.assertEqual(len(breaches(text.check_names, files)), 7)
+
+    def test_code_in_comments_and_open_points_are_breaches(self):
+        check = text.check_comments
+        for line in ("  // f(a, b);", "// x = 3;", "//x += y * 2;", "  // if (a) {", "// i++;",
+                     "// return x;", "// a.b->c();", "int x;  // TODO: more"):
+            self.assertEqual(len(breaches(check, {"a.cpp": line})), 1, line)
+        for line in ("// O = 3 V: distances, ascending;", "// the neighbour (lowest index);",
+                     "//   world.Reset(starts, rng);", "// if not, the last one stands;",
+                     'Print("TODOS");'):
+            self.assertEqual(breaches(check, {"a.cpp": line}), [], line)
 
     def test_a_test_that_sleeps_is_a_breach(self):
         check = text.check_sleeps
@@ -147,6 +170,57 @@ class Text(unittest.TestCase):
         for path, line in (("common/a.cpp", "usleep(5);"), ("tests/a.cpp", "f();  // sleep(1)"),
                            ("tests/a.cpp", "Asleep(1);"), ("tests/a.sh", "# sleep 1")):
             self.assertEqual(breaches(check, {path: line}), [], line)
+
+
+class Claims(unittest.TestCase):
+    GOOD = 'TEST_CASE("A sum is "\n          "a sum") {\n  CHECK(1 + 1 == 2);\n}\n'
+    CMAKE = "ronda_test(a SOURCES a_test.cpp)\n"
+
+    def check(self, path, content, cmake=CMAKE):
+        return breaches(claims.check_tests, {path: content, "CMakeLists.txt": cmake})
+
+    def test_a_test_that_is_built_and_checks_something_is_good(self):
+        self.assertEqual(self.check("tests/a_test.cpp", self.GOOD), [])
+        by_helper = self.GOOD.replace("CHECK(", "CheckIt<int>(")
+        self.assertEqual(self.check("tests/a_test.cpp", by_helper), [])
+
+    def test_a_test_that_cannot_fail_or_is_not_built_is_a_breach(self):
+        cannot_fail = self.GOOD.replace("CHECK", "Do") + self.GOOD
+        self.assertEqual(len(self.check("tests/a_test.cpp", cannot_fail)), 1)
+        self.assertEqual(len(self.check("tests/a_test.cpp", self.GOOD, "")), 1)
+        self.assertEqual(len(self.check("tests/a_test.cpp", self.GOOD, "b_a_test.cpp")), 1)
+        self.assertEqual(len(self.check("tests/a_test.cpp", "")), 1)
+
+    def test_a_name_that_claims_nothing_is_a_breach(self):
+        short = 'TEST_CASE("sums") {\n  CHECK(1 + 1 == 2);\n}\n'
+        self.assertEqual(len(self.check("tests/a_test.cpp", short)), 1)
+        self.assertEqual(len(self.check("tests/a.cpp", self.GOOD)), 1)
+
+
+class Documents(unittest.TestCase):
+    def links(self, line):
+        return breaches(documents.check_links, {"docs/a.md": f"# Two words\n{line}\n",
+                                                "docs/b.md": "# It's: 1\n", "common/x/y.h": ""})
+
+    def test_links_that_lead_somewhere_are_good(self):
+        for line in ("[b](b.md)", "[b](b.md#its-1)", "[a](#two-words)", "[x](../common/x/y.h)",
+                     "[web](https://example.org/none)", "`common/x/y.h`", "`common/x/y`",
+                     "`common/x/*.h`", "`[not](a-link)`", "```\n[not](a-link)\n```"):
+            self.assertEqual(self.links(line), [], line)
+
+    def test_a_link_or_path_to_nowhere_is_a_breach(self):
+        for line in ("[c](c.md)", "[b](b.md#its-2)", "[a](#three)", "`common/x/z.h`", "`docs/c`"):
+            self.assertEqual(len(self.links(line)), 1, line)
+
+    def test_decisions_are_numbered_once_and_titled(self):
+        check = documents.check_decisions
+        good = {"docs/adr/0001-a-title.md": "# 1. A title\n", "docs/adr/0012-b.md": "# 12. B\n"}
+        self.assertEqual(breaches(check, good), [])
+        for path, content in (("0001-again.md", "# 1. Again\n"), ("0003-c.md", "# 4. C\n"),
+                              ("0003-c.md", "# C\n"), ("0003-c.md", ""), ("3-c.md", "# 3. C\n"),
+                              ("0003-Title.md", "# 3. Title\n")):
+            found = breaches(check, {**good, f"docs/adr/{path}": content})
+            self.assertEqual(len(found), 1, path)
 
 
 class Walks(unittest.TestCase):

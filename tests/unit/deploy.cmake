@@ -1,1 +1,3 @@
-ronda_test(deploy_test SOURCES known_run_test.cpp run_state_test.cpp status_board_test.cpp transition_ledger_test.cpp LINKS ronda::deploy)
+ronda_test(deploy_test SOURCES configuration_page_test.cpp known_run_test.cpp run_state_test.cpp status_board_test.cpp
+                               transition_ledger_test.cpp
+           LINKS ronda::deploy)

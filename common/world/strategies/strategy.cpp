@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <string_view>
 
 #include "common/base/error.h"
@@ -18,6 +20,44 @@ namespace ronda {
 namespace {
 
 constexpr std::string_view kGeiPrefix = "gei:";
+constexpr std::string_view kAnnounced = "all visits, arrivals";
+
+struct Row {
+  std::string_view name;
+  std::string_view knowledge;
+  std::unique_ptr<Strategy> (*make)(const StrategyContext&);
+};
+
+/// One strategy that takes no part of the context.
+template <class T>
+std::unique_ptr<Strategy> Make(const StrategyContext&) {
+  return std::make_unique<T>();
+}
+
+template <int kHalves>
+std::unique_ptr<Strategy> MakeGei(const StrategyContext&) {
+  return std::make_unique<GreedyExpectedIdleness>(0.5 * kHalves);
+}
+
+/// What `all` stands for, in this order; gei:P has any P.
+constexpr Row kRows[] = {
+    {"random", "nothing", Make<RandomWalk>},
+    {"cr", "own visits", Make<ConscientiousReactive>},
+    {"sebs", "all visits, targets", Make<StateExchangeBayesian>},
+    {"er", kAnnounced, Make<ExpectedReactive>},
+    {"gei:0", kAnnounced, MakeGei<0>},
+    {"gei:0.5", kAnnounced, MakeGei<1>},
+    {"gei:1", kAnnounced, MakeGei<2>},
+    {"cyclic", "the walk",
+     [](const StrategyContext& context) -> std::unique_ptr<Strategy> {
+       return std::make_unique<Cyclic>(*context.closed_walk);
+     }},
+};
+
+const Row* Find(std::string_view name) {
+  const auto row = std::ranges::find(kRows, name, &Row::name);
+  return row == std::end(kRows) ? nullptr : row;
+}
 
 double LengthExponent(const std::string& name) {
   const std::string text = name.substr(kGeiPrefix.size());
@@ -37,30 +77,31 @@ std::vector<RobotStart> Strategy::Begin(const PatrolGraph& graph,
 }
 
 std::unique_ptr<Strategy> MakeStrategy(const std::string& name, const StrategyContext& context) {
-  if (name == "random") return std::make_unique<RandomWalk>();
-  if (name == "cr") return std::make_unique<ConscientiousReactive>();
-  if (name == "sebs") return std::make_unique<StateExchangeBayesian>();
-  if (name == "er") return std::make_unique<ExpectedReactive>();
-  if (name == "gei") return std::make_unique<GreedyExpectedIdleness>(0.5);
+  if (name == "gei") return MakeGei<1>(context);
   if (name.starts_with(kGeiPrefix)) {
     return std::make_unique<GreedyExpectedIdleness>(LengthExponent(name));
   }
-  if (name == "cyclic") return std::make_unique<Cyclic>(*context.closed_walk);
-  throw UsageError(fmt::format(
-      "no strategy is called '{}'; there are random, cr, sebs, er, gei (= gei:0.5), gei:P, cyclic",
-      name));
+  if (const Row* row = Find(name)) return row->make(context);
+  throw UsageError(fmt::format("no strategy is called '{}'; there are {}", name, StrategyNames()));
+}
+
+std::string StrategyNames() {
+  std::string names;
+  for (const Row& row : kRows) {
+    if (!row.name.starts_with(kGeiPrefix)) names += fmt::format("{}, ", row.name);
+  }
+  return names + "gei (= gei:0.5), gei:P";
 }
 
 std::vector<std::string> AllStrategyNames() {
-  return {"random", "cr", "sebs", "er", "gei:0", "gei:0.5", "gei:1", "cyclic"};
+  std::vector<std::string> names;
+  for (const Row& row : kRows) names.emplace_back(row.name);
+  return names;
 }
 
 std::string StrategyKnowledge(const std::string& name) {
-  if (name == "random") return "nothing";
-  if (name == "cr") return "own visits";
-  if (name == "cyclic") return "the walk";
-  if (name == "sebs") return "all visits, targets";
-  return "all visits, arrivals";
+  const Row* row = Find(name);
+  return std::string(row == nullptr ? kAnnounced : row->knowledge);  // gei:P has no row
 }
 
 }  // namespace ronda

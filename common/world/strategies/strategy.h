@@ -36,12 +36,14 @@ struct StrategyContext {
   const ClosedWalk* closed_walk = nullptr;
 };
 
-/// Makes a strategy by its name on the command line: random, cr, sebs, er, gei (= gei:0.5), gei:P,
-/// cyclic.
-/// Throws UsageError that lists the names when there is none of that name or P is not a number ≥ 0.
+/// Makes a strategy by its name on the command line. Throws UsageError that lists the names when
+/// there is none of that name or the P of gei:P is not a number ≥ 0.
 std::unique_ptr<Strategy> MakeStrategy(const std::string& name, const StrategyContext& context);
 
-/// What `all` stands for: random, cr, sebs, er, gei:0, gei:0.5, gei:1, cyclic.
+/// "random, cr, …", for a sentence.
+std::string StrategyNames();
+
+/// What `all` stands for.
 std::vector<std::string> AllStrategyNames();
 
 /// What the robots of a strategy know when they decide, in a few words for a table.
