@@ -13,6 +13,7 @@
 #include "deploy/status_command.h"
 #include "deploy/stop_command.h"
 #include "deploy/train_command.h"
+#include "deploy/watch_command.h"
 
 namespace {
 
@@ -34,6 +35,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   ronda::AddScaleCommand(app, stop);
   ronda::AddStatusCommand(app, exit_status);
   ronda::AddStopCommand(app, stop);
+  ronda::AddWatchCommand(app, stop);
   ronda::AddEvaluateCommand(app, stop);
   ronda::AddCompareCommand(app, stop);
   ronda::AddPolicyCommand(app);

@@ -8,6 +8,8 @@
 
 #include "common/evaluation/output_file.h"
 #include "deploy/known_run.h"
+#include "deploy/live_view.h"
+#include "deploy/screen.h"
 
 namespace ronda {
 namespace {
@@ -26,7 +28,10 @@ int Status(const StatusArguments& arguments) {
     file.Write(RunStatusAsJson(run.status));
     file.Commit();
   }
-  fmt::print("{}\n", run.status.state);
+  constexpr ViewSize kEverything{.columns = 160, .rows = 1000};
+  const auto lines = RenderRunStatus(run.status, kEverything, ViewStyle::kPlain,
+                                     UtcOffset(run.status.written_unix_s));
+  for (const std::string& line : lines) fmt::print("{}\n", line);
   return run.status.problems.empty() ? 0 : kDegraded;
 }
 

@@ -9,6 +9,7 @@
 #include "common/base/whole_file.h"
 #include "common/run/duration.h"
 #include "common/run/run_folder.h"
+#include "deploy/run_state.h"
 #include "deploy/train_setup.h"
 #include "deploy/training_run.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 struct TrainCommandArguments : TrainArguments {
   bool print_config = false;
+  bool plain = false;
 };
 
 int Train(const TrainCommandArguments& arguments, std::stop_token stop) {
@@ -42,7 +44,9 @@ int Train(const TrainCommandArguments& arguments, std::stop_token stop) {
     return 0;
   }
   WriteWholeFile(folder.config_file(), setup.config().Resolved());
-  return RunTraining(setup, folder, std::move(stop));
+  return RunTraining(setup, folder,
+                     arguments.plain ? RunDisplay::Look::kPlain : RunDisplay::Look::kLive,
+                     std::move(stop));
 }
 
 }  // namespace
@@ -65,6 +69,8 @@ void AddTrainCommand(CLI::App& app, std::stop_token stop, int& exit_status) {
   command->add_option("--set", arguments->settings, "one key of the configuration: KEY=VALUE");
   command->add_flag("--print-config", arguments->print_config,
                     "print the configuration that the run would have, and stop");
+  command->add_flag("--plain", arguments->plain,
+                    "a line every few seconds instead of the live view");
   command->footer(
       "Ctrl-C stops with a checkpoint; the same command goes on.\n"
       "Example: ronda train --map cumberland --agents 10 --actors 2 --for 90s --run runs/first");

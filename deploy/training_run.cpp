@@ -27,8 +27,8 @@
 #include "deploy/find_policy.h"
 #include "deploy/kept_files.h"
 #include "deploy/learning_curve.h"
-#include "deploy/progress_line.h"
 #include "deploy/rate_meter.h"
+#include "deploy/run_display.h"
 #include "deploy/run_status.h"
 #include "deploy/status_board.h"
 #include "deploy/summary.h"
@@ -66,7 +66,7 @@ TrainingEvaluatorConfig EvaluatorConfig(const TrainSetup& setup, const RunFolder
 /// A session's parts and what they have reported so far.
 class Session {
  public:
-  Session(const TrainSetup& setup, const RunFolder& folder)
+  Session(const TrainSetup& setup, const RunFolder& folder, RunDisplay::Look look)
       : setup_(setup),
         folder_(folder),
         before_(ReadRunState(folder.path())),
@@ -85,6 +85,7 @@ class Session {
         evaluator_config_(EvaluatorConfig(setup, folder)),
         evaluator_(evaluator_config_, setup.context(), weights_, before_.best),
         metrics_(folder.metrics_file(), "ronda"),
+        display_(look, RunDisplay::Events::kAbove),
         curve_(ReadLearningCurve(folder.metrics_file())),
         actors_(setup.run().actors) {
     for (const Role role : {Role::kActor, Role::kReplay, Role::kLearner}) {
@@ -132,7 +133,7 @@ class Session {
   TrainingEvaluatorConfig evaluator_config_;
   TrainingEvaluator evaluator_;
   MetricsLog metrics_;
-  ProgressLine line_;
+  RunDisplay display_;
   StatusBoard board_;
   std::deque<RunEvent> events_;  // the last kEvents
   std::vector<CurvePoint> curve_;
@@ -153,7 +154,7 @@ class Session {
 void Session::Event(const std::string& text) {
   events_.push_back({.unix_s = UnixNow(), .text = text});
   if (events_.size() > kEvents) events_.pop_front();
-  line_.Event(text);
+  display_.Event(text);
 }
 
 void Session::Keep(const std::string& name, const std::function<void()>& write) {
@@ -225,7 +226,7 @@ std::optional<int> Session::Supervise(Cluster& cluster, Clock::time_point now) {
   std::optional<int> failure;
   for (const Ending& ending : cluster.Supervise(now)) {
     Event(ending.description);
-    for (const auto& text : ending.log) line_.Event("    | " + text);
+    for (const auto& text : ending.log) display_.Event("    | " + text);
     CountDeath(ending);
     if (!ending.run_ends_with) continue;
     failure = ending.run_ends_with;
@@ -370,7 +371,7 @@ int Session::Run(std::stop_token stop) {
       dds::AddTraffic(participant_, own);
       board_.OnReport(own, now);
       const RunStatus picture = Picture(cluster, now);
-      line_.Show(picture);
+      display_.Show(picture);
       Keep("status.json", [&] { WriteRunStatus(folder_.path(), picture); });
     }
     if (save_due.Due(now)) Keep("state.json", [&] { WriteRunState(folder_.path(), state_); });
@@ -398,7 +399,7 @@ int Session::End(Cluster& cluster, std::stop_token stop, std::optional<int> fail
   state_.best = evaluator_.best();
   TakeEvaluations();
   LogMetrics();
-  line_.End();
+  display_.End();
   Keep("state.json", [&] { WriteRunState(folder_.path(), state_); });
   Summarise(std::move(stop), hurry);
   if (!failure && !files_.unwritten().empty()) {
@@ -440,8 +441,9 @@ void Session::Summarise(std::stop_token stop, bool hurry) {
 
 }  // namespace
 
-int RunTraining(const TrainSetup& setup, const RunFolder& folder, std::stop_token stop) {
-  Session session(setup, folder);
+int RunTraining(const TrainSetup& setup, const RunFolder& folder, RunDisplay::Look look,
+                std::stop_token stop) {
+  Session session(setup, folder, look);
   return session.Run(std::move(stop));
 }
 

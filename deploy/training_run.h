@@ -7,11 +7,12 @@
 #include <stop_token>
 
 #include "common/run/run_folder.h"
-#include "deploy/run_state.h"
+#include "deploy/run_display.h"
 #include "deploy/train_setup.h"
 
 namespace ronda {
 
-int RunTraining(const TrainSetup& setup, const RunFolder& folder, std::stop_token stop);
+int RunTraining(const TrainSetup& setup, const RunFolder& folder, RunDisplay::Look look,
+                std::stop_token stop);
 
 }  // namespace ronda
