@@ -39,14 +39,13 @@ TEST_CASE("Linear's gradients are those of central differences") {
                           {b.data(), 1, kOutputs}, {y.data(), kBatch, kOutputs});
     return Dot(dy, y);
   };
-  std::vector<double> dx(x.size(), 99.0), dw(w.size()), db(b.size()), scratch;
+  std::vector<double> dx(x.size(), 99.0), dw(w.size()), db(b.size());
 
   LinearBackward<double>({x.data(), kBatch, kInputs}, {w.data(), kInputs, kOutputs},
                          {dy.data(), kBatch, kOutputs},
                          {.w = {dw.data(), kInputs, kOutputs},
                           .b = {db.data(), 1, kOutputs},
-                          .x = {dx.data(), kBatch, kInputs}},
-                         scratch);
+                          .x = {dx.data(), kBatch, kInputs}});
 
   CHECK(LargestGradientError(loss, x, dx) < kTolerance);
   CHECK(LargestGradientError(loss, w, dw) < kTolerance);
@@ -55,10 +54,10 @@ TEST_CASE("Linear's gradients are those of central differences") {
 
 TEST_CASE("Linear adds to the gradients of its parameters") {
   const std::vector<double> x{2.0}, w{3.0}, dy{5.0};
-  std::vector<double> dw{100.0}, db{1000.0}, scratch;
+  std::vector<double> dw{100.0}, db{1000.0};
 
   LinearBackward<double>({x.data(), 1, 1}, {w.data(), 1, 1}, {dy.data(), 1, 1},
-                         {.w = {dw.data(), 1, 1}, .b = {db.data(), 1, 1}, .x = {}}, scratch);
+                         {.w = {dw.data(), 1, 1}, .b = {db.data(), 1, 1}, .x = {}});
 
   CHECK(dw[0] == 110.0);
   CHECK(db[0] == 1005.0);
