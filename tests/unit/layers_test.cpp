@@ -8,6 +8,7 @@
 #include "common/nn/layer_norm.h"
 #include "common/nn/linear.h"
 #include "common/nn/losses.h"
+#include "tests/unit/each_kernel.h"
 #include "tests/unit/gradient_check.h"
 
 namespace ronda {
@@ -193,6 +194,23 @@ TEST_CASE("Adam with a state that was put back goes on with the same bits") {
 
   CHECK(parameters == copy);
   CHECK(second.state().steps == 2);
+}
+
+TEST_CASE("Adam's moments of a weight without gradient end at 0 and never become denormal") {
+  testing::OnEachKernel([] {
+    std::vector<float> parameters(20, 1.0f);
+    Adam<float> sut(20);
+    sut.Step(std::vector<float>(20, 1e-3f), 0.01, parameters);
+    const std::vector<float> none(20, 0.0f);
+    bool denormal = false;
+    for (int i = 0; i < 2000; ++i) {
+      sut.Step(none, 0.01, parameters);
+      for (const auto* const moments : {&sut.state().m, &sut.state().v})
+        for (const float value : *moments) denormal |= std::fpclassify(value) == FP_SUBNORMAL;
+    }
+    CHECK_FALSE(denormal);
+    CHECK(sut.state().m == none);
+  });
 }
 
 TEST_CASE("Clipping scales a long gradient to the norm and leaves a short one") {

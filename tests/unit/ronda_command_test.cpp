@@ -20,8 +20,9 @@ struct CommandResult {
   std::string output;  // stdout and stderr
 };
 
-CommandResult Ronda(const std::string& arguments) {
-  const std::string command = RONDA_BIN_DIR "/ronda " + arguments + " 2>&1";
+/// `environment`: assignments as a shell writes them.
+CommandResult Ronda(const std::string& arguments, const std::string& environment = "") {
+  const std::string command = environment + " " RONDA_BIN_DIR "/ronda " + arguments + " 2>&1";
   FILE* const pipe = ::popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
   CommandResult result{};
@@ -111,6 +112,14 @@ TEST_CASE("A map or policy that does not exist ends with status 3 and is named")
   const auto policy = Ronda(Evaluate("--agents 2 --policy nobody"));
   CHECK(policy.status == 3);
   CHECK_THAT(policy.output, Catch::Contains("nobody"));
+}
+
+TEST_CASE("A kernel that is none ends with status 2, variable, value and what there is") {
+  const auto result = Ronda(Evaluate("--agents 2 --strategy cr"), "RONDA_KERNEL=avx9");
+  CHECK(result.status == 2);
+  CHECK_THAT(result.output, Catch::Contains("RONDA_KERNEL is \"avx9\"") &&
+                                Catch::Contains("this CPU has: baseline"));
+  CHECK(Ronda("--version", "RONDA_KERNEL=baseline").status == 0);
 }
 
 TEST_CASE("Help and version are no errors, a missing command is") {
