@@ -11,6 +11,7 @@
 #include "common/dds/participant.h"
 #include "common/dds/report_writer.h"
 #include "common/dds/weights_reader.h"
+#include "common/nn/kernel.h"
 #include "common/policies/network_config.h"
 #include "common/policies/q_policy.h"
 #include "common/run/every.h"
@@ -50,6 +51,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
       ParseRoleOptions("actor", "An actor of a run: patrols and sends transitions.", argc, argv);
   StartLog(fmt::format("actor-{}", options.index));
   if (options.end_with_parent) EndWithParent();
+  const Kernel kernel = KernelInUse();
   Config file = Config::FromFile(options.config_file);
   const RunConfig run = ReadRunConfig(file);
   ActorConfig config = ReadActorConfig(file, run);
@@ -64,7 +66,8 @@ int Body(int argc, char** argv, std::stop_token stop) {
                                 .run_id = options.run_id,
                                 .name = fmt::format("actor-{}", options.index),
                                 .socket_buffer_bytes = run.socket_buffer_bytes});
-  LogInfo("domain {}, {}", options.domain, participant.socket_buffer_report());
+  LogInfo("domain {}, {}, kernel {}", options.domain, participant.socket_buffer_report(),
+          NameOf(kernel));
   dds::ExperienceWriter sink(participant, {.actor = options.index,
                                            .incarnation = options.incarnation,
                                            .shape = run.shape,

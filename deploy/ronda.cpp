@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "common/base/error.h"
+#include "common/nn/kernel.h"
 #include "common/run/process.h"
 #include "deploy/compare_command.h"
 #include "deploy/config_command.h"
@@ -30,6 +31,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
       "  ronda compare --map cumberland --agents 10 --strategies all\n"
       "Each command explains itself: ronda COMMAND --help");
   int exit_status = 0;
+  ronda::KernelInUse();  // a wrong RONDA_KERNEL ends here, not in a child
   ronda::AddTrainCommand(app, stop, exit_status);
   ronda::AddRunsCommand(app);
   ronda::AddScaleCommand(app, stop);

@@ -2,12 +2,14 @@
 # Installs every Debian package that building, testing and running Ronda needs (Debian 12). Asks apt only for what is missing.
 #   deploy/setup.sh          what building and running needs
 #   deploy/setup.sh --tests  and what the tests need
+#   deploy/setup.sh --bench  and what the benchmarks compare with
 set -euo pipefail
 packages=(g++ cmake ninja-build ccache
   libfastrtps-dev libfastcdr-dev fastddsgen libeigen3-dev libcereal-dev
   libcli11-dev libtomlplusplus-dev libspdlog-dev libfmt-dev nlohmann-json3-dev libglpk-dev zlib1g-dev
   python3 python3-matplotlib)
 [ "${1:-}" != --tests ] || packages+=(catch2 clang-format git procps)
+[ "${1:-}" != --bench ] || packages+=(libopenblas-dev)
 missing=()
 for package in "${packages[@]}"; do
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/nn/loops.h"
 
 namespace ronda {
 namespace {
@@ -84,8 +85,8 @@ void Dqn::UpdateTarget() {
     if (updates_ % config_.target_interval == 0) target_ = online_;
     return;
   }
-  const auto tau = static_cast<float>(config_.polyak);
-  for (std::size_t i = 0; i < target_.size(); ++i) target_[i] += tau * (online_[i] - target_[i]);
+  LoopsInUse().approach(target_.data(), online_.data(), target_.size(),
+                        static_cast<float>(config_.polyak));
 }
 
 AlgorithmState Dqn::Save() const {

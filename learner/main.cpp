@@ -10,6 +10,7 @@
 #include "common/dds/participant.h"
 #include "common/dds/report_writer.h"
 #include "common/dds/weights_writer.h"
+#include "common/nn/kernel.h"
 #include "common/policies/network_config.h"
 #include "common/policies/policy_file.h"
 #include "common/run/every.h"
@@ -83,6 +84,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
       "learner", "The learner of a run: improves the policy, publishes weights.", argc, argv);
   StartLog("learner");
   if (options.end_with_parent) EndWithParent();
+  const Kernel kernel = KernelInUse();
   Config file = Config::FromFile(options.config_file);
   const RunConfig run = ReadRunConfig(file);
   const LearnerConfig config = ReadLearnerConfig(file, run);
@@ -94,7 +96,8 @@ int Body(int argc, char** argv, std::stop_token stop) {
                                 .run_id = options.run_id,
                                 .name = "learner",
                                 .socket_buffer_bytes = run.socket_buffer_bytes});
-  LogInfo("domain {}, {}", options.domain, participant.socket_buffer_report());
+  LogInfo("domain {}, {}, kernel {}", options.domain, participant.socket_buffer_report(),
+          NameOf(kernel));
   dds::LearnerEndpoint batches(participant, {.learner_incarnation = options.incarnation,
                                              .batch_size = run.batch_size,
                                              .outstanding = config.outstanding});

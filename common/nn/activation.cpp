@@ -1,18 +1,25 @@
 #include "common/nn/activation.h"
 
+#include <type_traits>
+
+#include "common/nn/loops.h"
+
 namespace ronda {
 
 template <typename Scalar>
 void ReluForward(MatrixView<Scalar> x) {
-  const std::size_t size = x.size();
-  for (std::size_t i = 0; i < size; ++i) x.data[i] = x.data[i] < Scalar(0) ? Scalar(0) : x.data[i];
+  if constexpr (std::is_same_v<Scalar, float>)
+    LoopsInUse().relu_forward(x.data, x.size());
+  else
+    ReluForwardLoop(x.data, x.size());
 }
 
 template <typename Scalar>
 void ReluBackward(ConstMatrix<Scalar> y, MatrixView<Scalar> d) {
-  const std::size_t size = d.size();
-  // y = max(x, 0)   ⇒   ∂L/∂x = ∂L/∂y where y > 0, else 0
-  for (std::size_t i = 0; i < size; ++i) d.data[i] = y.data[i] > Scalar(0) ? d.data[i] : Scalar(0);
+  if constexpr (std::is_same_v<Scalar, float>)
+    LoopsInUse().relu_backward(y.data, d.data, d.size());
+  else
+    ReluBackwardLoop(y.data, d.data, d.size());
 }
 
 template void ReluForward(MatrixView<float>);

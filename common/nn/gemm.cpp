@@ -2,86 +2,38 @@
 
 #include <Eigen/Core>
 
-#include "common/nn/gemm_kernels.h"
+#include "common/nn/loops.h"
 
 namespace ronda {
 namespace {
 
-template <typename Scalar>
-using RowMajor = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using ConstMap = Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>;
 
-template <typename Scalar>
-void MultiplyEigen(const Product<Scalar>& p) {
-  const Eigen::Map<const RowMajor<Scalar>> b(p.b, p.k, p.n);
-  Eigen::Map<RowMajor<Scalar>> c(p.c, p.m, p.n);
-  if (p.bias != nullptr)
-    c.rowwise() = Eigen::Map<const Eigen::Matrix<Scalar, 1, Eigen::Dynamic>>(p.bias, p.n);
-  else if (!p.accumulate)
-    c.setZero();
-  if (p.a_col_stride == 1) {
-    const Eigen::Map<const RowMajor<Scalar>, 0, Eigen::OuterStride<>> a(
-        p.a, p.m, p.k, Eigen::OuterStride<>(p.a_row_stride));
-    c.noalias() += a * b;
-  } else {
-    const Eigen::Map<const RowMajor<Scalar>, 0, Eigen::OuterStride<>> a_transposed(
-        p.a, p.k, p.m, Eigen::OuterStride<>(p.a_col_stride));
-    c.noalias() += a_transposed.transpose() * b;
-  }
-}
-
-GemmKernel DetectBestKernel() {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512f")) return GemmKernel::kTileAvx512;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return GemmKernel::kTileAvx2;
-#endif
-  return GemmKernel::kTileBaseline;
+/// c += a · b, where b lies as it is or transposed.
+template <typename Left>
+void AddProduct(const Left& a, const Product<double>& p, Eigen::Map<RowMajor>& c) {
+  if (p.b_transposed)
+    c.noalias() += a * ConstMap(p.b, p.n, p.k, Eigen::OuterStride<>(p.k)).transpose();
+  else
+    c.noalias() += a * ConstMap(p.b, p.k, p.n, Eigen::OuterStride<>(p.n));
 }
 
 }  // namespace
 
-GemmKernel BestGemmKernel() {
-  static const GemmKernel kBest = DetectBestKernel();
-  return kBest;
+void Multiply(const Product<double>& p) {
+  Eigen::Map<RowMajor> c(p.c, p.m, p.n);
+  if (p.bias != nullptr)
+    c.rowwise() = Eigen::Map<const Eigen::Matrix<double, 1, Eigen::Dynamic>>(p.bias, p.n);
+  else if (!p.accumulate)
+    c.setZero();
+  if (p.a_col_stride == 1)
+    AddProduct(ConstMap(p.a, p.m, p.k, Eigen::OuterStride<>(p.a_row_stride)), p, c);
+  else
+    AddProduct(ConstMap(p.a, p.k, p.m, Eigen::OuterStride<>(p.a_col_stride)).transpose(), p, c);
+  if (p.rectify) c = (c.array() < 0.0).select(0.0, c);
 }
 
-void Multiply(const Product<double>& product) { MultiplyEigen(product); }
-
-void Multiply(const Product<float>& product) {
-  switch (BestGemmKernel()) {
-#if defined(__x86_64__)
-    case GemmKernel::kTileAvx512:
-      return internal::MultiplyTileAvx512(product);
-    case GemmKernel::kTileAvx2:
-      return internal::MultiplyTileAvx2(product);
-#endif
-    case GemmKernel::kTileBaseline:
-      return internal::MultiplyTileBaseline(product);
-    default:
-      return MultiplyEigen(product);
-  }
-}
-
-bool MultiplyWith(GemmKernel kernel, const Product<float>& product) {
-  switch (kernel) {
-    case GemmKernel::kEigen:
-      MultiplyEigen(product);
-      return true;
-    case GemmKernel::kTileBaseline:
-      internal::MultiplyTileBaseline(product);
-      return true;
-#if defined(__x86_64__)
-    case GemmKernel::kTileAvx2:
-      if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return false;
-      internal::MultiplyTileAvx2(product);
-      return true;
-    case GemmKernel::kTileAvx512:
-      if (!__builtin_cpu_supports("avx512f")) return false;
-      internal::MultiplyTileAvx512(product);
-      return true;
-#endif
-    default:
-      return false;
-  }
-}
+void Multiply(const Product<float>& product) { LoopsInUse().multiply(product); }
 
 }  // namespace ronda

@@ -1,13 +1,16 @@
 #include "common/nn/linear.h"
 
+#include <type_traits>
+
 #include "common/base/check.h"
 #include "common/nn/gemm.h"
+#include "common/nn/loops.h"
 
 namespace ronda {
 
 template <typename Scalar>
 void LinearForward(ConstMatrix<Scalar> x, ConstMatrix<Scalar> w, ConstMatrix<Scalar> b,
-                   MatrixView<Scalar> y) {
+                   MatrixView<Scalar> y, Activation activation) {
   RONDA_CHECK(x.cols == w.rows && w.cols == y.cols && b.cols == w.cols && x.rows == y.rows,
               "x ({}, {}) · w ({}, {}) + b ({}) = y ({}, {})", x.rows, x.cols, w.rows, w.cols,
               b.cols, y.rows, y.cols);
@@ -19,12 +22,13 @@ void LinearForward(ConstMatrix<Scalar> x, ConstMatrix<Scalar> w, ConstMatrix<Sca
                            .a_col_stride = 1,
                            .b = w.data,
                            .bias = b.data,
+                           .rectify = activation == Activation::kRelu,
                            .c = y.data});
 }
 
 template <typename Scalar>
 void LinearBackward(ConstMatrix<Scalar> x, ConstMatrix<Scalar> w, ConstMatrix<Scalar> dy,
-                    const LinearGradient<Scalar>& gradient, std::vector<Scalar>& scratch) {
+                    const LinearGradient<Scalar>& gradient) {
   RONDA_CHECK(x.cols == w.rows && w.cols == dy.cols && x.rows == dy.rows,
               "x ({}, {}) · w ({}, {}), dy ({}, {})", x.rows, x.cols, w.rows, w.cols, dy.rows,
               dy.cols);
@@ -39,33 +43,30 @@ void LinearBackward(ConstMatrix<Scalar> x, ConstMatrix<Scalar> w, ConstMatrix<Sc
                            .accumulate = true,
                            .c = gradient.w.data});
   // y = x·w + b   ⇒   ∂L/∂b = Σ over the rows of dy
-  for (int r = 0; r < dy.rows; ++r) {
-    const Scalar* const from = dy.row(r);
-    for (int c = 0; c < dy.cols; ++c) gradient.b.data[c] += from[c];
-  }
+  if constexpr (std::is_same_v<Scalar, float>)
+    LoopsInUse().add_rows(dy.data, dy.rows, dy.cols, gradient.b.data);
+  else
+    AddRowsLoop(dy.data, dy.rows, dy.cols, gradient.b.data);
   if (gradient.x.data == nullptr) return;
   // y = x·w + b   ⇒   ∂L/∂x = dy·wᵀ
-  if (scratch.size() < w.size()) scratch.resize(w.size());
-  const MatrixView<Scalar> transposed{scratch.data(), w.cols, w.rows};
-  for (int i = 0; i < w.rows; ++i)
-    for (int o = 0; o < w.cols; ++o) transposed.row(o)[i] = w.row(i)[o];
   Multiply(Product<Scalar>{.m = dy.rows,
                            .n = w.rows,
                            .k = dy.cols,
                            .a = dy.data,
                            .a_row_stride = dy.cols,
                            .a_col_stride = 1,
-                           .b = transposed.data,
+                           .b = w.data,
+                           .b_transposed = true,
                            .c = gradient.x.data});
 }
 
 template void LinearForward(ConstMatrix<float>, ConstMatrix<float>, ConstMatrix<float>,
-                            MatrixView<float>);
+                            MatrixView<float>, Activation);
 template void LinearForward(ConstMatrix<double>, ConstMatrix<double>, ConstMatrix<double>,
-                            MatrixView<double>);
+                            MatrixView<double>, Activation);
 template void LinearBackward(ConstMatrix<float>, ConstMatrix<float>, ConstMatrix<float>,
-                             const LinearGradient<float>&, std::vector<float>&);
+                             const LinearGradient<float>&);
 template void LinearBackward(ConstMatrix<double>, ConstMatrix<double>, ConstMatrix<double>,
-                             const LinearGradient<double>&, std::vector<double>&);
+                             const LinearGradient<double>&);
 
 }  // namespace ronda

@@ -92,10 +92,11 @@ MatrixView<const Scalar> Mlp<Scalar>::Forward(std::span<const Scalar> parameters
       LinearForward(input, weights, bias, linear);
       LayerNormForward(Block(parameters, layer.gain), Block(parameters, layer.shift), linear,
                        Grow(memory.inverse_deviation, x.rows, 1), output);
+      ReluForward(output);
     } else {
-      LinearForward(input, weights, bias, output);
+      LinearForward(input, weights, bias, output,
+                    layer.hidden ? Activation::kRelu : Activation::kNone);
     }
-    if (layer.hidden) ReluForward(output);
     input = output;
   }
   return input;
@@ -130,8 +131,7 @@ void Mlp<Scalar>::Backward(std::span<const Scalar> parameters, ConstMatrix<Scala
     if (i > 0) dx.data = workspace.next_gradient_.data();
     LinearBackward<Scalar>(
         input, Block(parameters, layer.weights), d,
-        {.w = Block(gradient, layer.weights), .b = Block(gradient, layer.bias), .x = dx},
-        workspace.transposed_);
+        {.w = Block(gradient, layer.weights), .b = Block(gradient, layer.bias), .x = dx});
     std::swap(workspace.gradient_, workspace.next_gradient_);
     d = {workspace.gradient_.data(), x.rows, layer.inputs};
   }

@@ -35,7 +35,6 @@ class Mlp {
     };
     std::vector<Layer> layers_;                     // hidden ones, then the last
     std::vector<Scalar> gradient_, next_gradient_;  // (B, widest layer)
-    std::vector<Scalar> transposed_;
   };
 
   explicit Mlp(const MlpSpec& spec);  // sizes ≥ 1, else a bug

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/base/error.h"
+#include "tests/unit/each_kernel.h"
 #include "tests/unit/gradient_check.h"
 
 namespace ronda {
@@ -110,15 +111,18 @@ TEST_CASE("The float loss and gradient are those in double, up to rounding") {
   std::vector<double> exact_gradient(count);
   std::vector<float> gradient(count);
 
-  const auto result = sut.Evaluate(online, target, batch, gradient);
   const auto expected =
       exact.Evaluate(std::vector<double>(online.begin(), online.end()),
                      std::vector<double>(target.begin(), target.end()), batch, exact_gradient);
 
-  CHECK(result.loss == Approx(expected.loss).epsilon(1e-4));
-  CHECK(result.mean_q == Approx(expected.mean_q).epsilon(1e-4));
-  for (std::size_t i = 0; i < count; ++i)
-    CHECK(gradient[i] == Approx(exact_gradient[i]).margin(1e-4));
+  testing::OnEachKernel([&] {
+    const auto result = sut.Evaluate(online, target, batch, gradient);
+
+    CHECK(result.loss == Approx(expected.loss).epsilon(1e-4));
+    CHECK(result.mean_q == Approx(expected.mean_q).epsilon(1e-4));
+    for (std::size_t i = 0; i < count; ++i)
+      CHECK(gradient[i] == Approx(exact_gradient[i]).margin(1e-4));
+  });
 }
 
 /// One state with bias-only values: online and target Q(s', ·), legal actions; gives y.

@@ -8,6 +8,7 @@
 #include "common/nn/layer_norm.h"
 #include "common/nn/linear.h"
 #include "common/nn/losses.h"
+#include "tests/unit/each_kernel.h"
 #include "tests/unit/gradient_check.h"
 
 namespace ronda {
@@ -39,14 +40,13 @@ TEST_CASE("Linear's gradients are those of central differences") {
                           {b.data(), 1, kOutputs}, {y.data(), kBatch, kOutputs});
     return Dot(dy, y);
   };
-  std::vector<double> dx(x.size(), 99.0), dw(w.size()), db(b.size()), scratch;
+  std::vector<double> dx(x.size(), 99.0), dw(w.size()), db(b.size());
 
   LinearBackward<double>({x.data(), kBatch, kInputs}, {w.data(), kInputs, kOutputs},
                          {dy.data(), kBatch, kOutputs},
                          {.w = {dw.data(), kInputs, kOutputs},
                           .b = {db.data(), 1, kOutputs},
-                          .x = {dx.data(), kBatch, kInputs}},
-                         scratch);
+                          .x = {dx.data(), kBatch, kInputs}});
 
   CHECK(LargestGradientError(loss, x, dx) < kTolerance);
   CHECK(LargestGradientError(loss, w, dw) < kTolerance);
@@ -55,10 +55,10 @@ TEST_CASE("Linear's gradients are those of central differences") {
 
 TEST_CASE("Linear adds to the gradients of its parameters") {
   const std::vector<double> x{2.0}, w{3.0}, dy{5.0};
-  std::vector<double> dw{100.0}, db{1000.0}, scratch;
+  std::vector<double> dw{100.0}, db{1000.0};
 
   LinearBackward<double>({x.data(), 1, 1}, {w.data(), 1, 1}, {dy.data(), 1, 1},
-                         {.w = {dw.data(), 1, 1}, .b = {db.data(), 1, 1}, .x = {}}, scratch);
+                         {.w = {dw.data(), 1, 1}, .b = {db.data(), 1, 1}, .x = {}});
 
   CHECK(dw[0] == 110.0);
   CHECK(db[0] == 1005.0);
@@ -194,6 +194,23 @@ TEST_CASE("Adam with a state that was put back goes on with the same bits") {
 
   CHECK(parameters == copy);
   CHECK(second.state().steps == 2);
+}
+
+TEST_CASE("Adam's moments of a weight without gradient end at 0 and never become denormal") {
+  testing::OnEachKernel([] {
+    std::vector<float> parameters(20, 1.0f);
+    Adam<float> sut(20);
+    sut.Step(std::vector<float>(20, 1e-3f), 0.01, parameters);
+    const std::vector<float> none(20, 0.0f);
+    bool denormal = false;
+    for (int i = 0; i < 2000; ++i) {
+      sut.Step(none, 0.01, parameters);
+      for (const auto* const moments : {&sut.state().m, &sut.state().v})
+        for (const float value : *moments) denormal |= std::fpclassify(value) == FP_SUBNORMAL;
+    }
+    CHECK_FALSE(denormal);
+    CHECK(sut.state().m == none);
+  });
 }
 
 TEST_CASE("Clipping scales a long gradient to the norm and leaves a short one") {

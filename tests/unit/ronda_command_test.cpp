@@ -108,6 +108,14 @@ TEST_CASE("A map or policy that does not exist ends with status 3 and is named")
   CHECK_THAT(policy.output, Catch::Contains("nobody"));
 }
 
+TEST_CASE("A kernel that is none ends with status 2, variable, value and what there is") {
+  const auto result = Ronda(Evaluate("--agents 2 --strategy cr"), "RONDA_KERNEL=avx9");
+  CHECK(result.status == 2);
+  CHECK_THAT(result.output, Catch::Contains("RONDA_KERNEL is \"avx9\"") &&
+                                Catch::Contains("this CPU has: baseline"));
+  CHECK(Ronda("--version", "RONDA_KERNEL=baseline").status == 0);
+}
+
 TEST_CASE("Help and version are no errors, a missing command is") {
   CHECK(Ronda("--version").output.starts_with("ronda "));
   CHECK(Ronda("--help").status == 0);

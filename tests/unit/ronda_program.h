@@ -14,8 +14,9 @@ struct CommandResult {
   std::string output;  // stdout and stderr
 };
 
-inline CommandResult Ronda(const std::string& arguments) {
-  const std::string command = RONDA_BIN_DIR "/ronda " + arguments + " 2>&1";
+/// `environment`: assignments as a shell writes them.
+inline CommandResult Ronda(const std::string& arguments, const std::string& environment = "") {
+  const std::string command = environment + " " RONDA_BIN_DIR "/ronda " + arguments + " 2>&1";
   FILE* const pipe = ::popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
   CommandResult result{};
