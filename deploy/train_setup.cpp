@@ -91,7 +91,7 @@ TrainSetup::TrainSetup(const TrainArguments& arguments,
   follows("interface.observation_size", std::int64_t{encoder.observation_size()});
   follows("interface.num_actions", std::int64_t{encoder.num_actions()});
   follows("interface.features", std::int64_t{encoder.features_per_candidate()});
-  follows("interface.schema", std::string(Schema(encoder.scheme())));
+  follows("interface.schema", Schema(encoder.options()));
   run_ = ReadRunConfig(config_);
   ReadLearnerConfig(config_, run_);
   ReadReplayConfig(config_, run_);

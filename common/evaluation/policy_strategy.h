@@ -2,8 +2,9 @@
 // A trained network as a strategy: encodes what the arrived robot sees and takes the best action.
 //
 // A scorer of candidates fits every map and team; a network of another kind fits maps of the size
-// it was trained on, else InputError. Errors from a file: CheckpointError as policies/policy_file.
-// Thread-compatible.
+// it was trained on, else InputError; one that observes the agent-vertex matrix fits teams of the
+// size it was trained with, else InputError at the beginning of an episode. Errors from a file:
+// CheckpointError as policies/policy_file. Thread-compatible.
 #include <memory>
 
 #include "common/policies/policy_file.h"
