@@ -14,10 +14,19 @@ ActorConfig ReadActorConfig(Config& config, const RunConfig& run) {
                                          "discount horizon −1/ln γ, in T_ref");
   environment.episode_length = config.GetDouble("environment.episode_t_ref", 40.0, 0.1, 1e6,
                                                 "length of an episode, in T_ref");
-  environment.observation = ParseObservationScheme(config.GetString(
-      "environment.observation", "candidates", {"candidates", "thesis"}, "what a robot sees"));
-  environment.reward = ParseRewardScheme(config.GetString(
-      "environment.reward", "hindsight", {"idleness", "hindsight"}, "what a visit is worth"));
+  environment.observation.scheme = ParseObservationScheme(
+      config.GetString("observation", "candidates", ObservationNames(), "what a robot sees"));
+  environment.observation.alpha =
+      config.GetDouble("observation_alpha", 0.0, 0.0, 1e12,
+                       "α > 1 of f(x) = (α^x − 1)/(α − 1), which ranking and normalised idleness "
+                       "may pass through; 0: off");
+  environment.observation.robots = run.agents;
+  environment.reward = ParseRewardScheme(config.GetString("reward", "hindsight", RewardNames(),
+                                                          "what a visit is worth",
+                                                          "`common/environments/reward.h`"));
+  environment.reward_n_worst = static_cast<int>(
+      config.GetInt("reward_n_worst", 3, 1, PatrolGraph::kMaxVertices,
+                    "the reward n-worst is given at so many of the most idle vertices"));
   environment.initial_idleness = config.GetDouble("environment.initial_idleness", 0.0, 0.0, 1e3,
                                                   "vertices start idle for up to so many T_ref");
   ExplorationOptions& exploration = actor.exploration;

@@ -106,6 +106,7 @@ void NStepAdder::Emit(int agent, std::size_t steps, bool terminal) {
     transition.discount = 0.0f;
     transition.next_observation.assign(static_cast<std::size_t>(spec_.observation_size), 0.0f);
     transition.next_legal_actions.assign(static_cast<std::size_t>(spec_.num_actions), 0);
+    transition.next_legal_actions.front() = 1;  // any: its value counts 0 times
   } else {
     transition.discount = weight;
     transition.next_observation = of.steps[steps].observation;

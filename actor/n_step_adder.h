@@ -8,12 +8,13 @@
 // decisions; agents interleave in the order in which they become complete.
 //
 // Call Observe, then Choose, for each decision; Settle for each reward; Finish at the end of an
-// episode. At a terminal state the steps that are left are joined to the end with discount 0. At a
-// cut they bootstrap from the agent's last observation over as many steps as are settled; a
-// decision with no reward or no observation after it is dropped. What is kept is bounded by what an
-// episode leaves unsettled. Misuse (an action without an observation, a reward settled twice) is a
-// bug. Thread-compatible. Source: Sutton, Precup & Singh 1999 (semi-MDP); Xiao, Hoffman & Amato
-// 2019 (per-agent transitions of macro-actions).
+// episode. At a terminal state the steps that are left are joined to the end with discount 0 (and
+// action 0 marked as legal next, since some action must be). At a cut they bootstrap from the
+// agent's last observation over as many steps as are settled; a decision with no reward or no
+// observation after it is dropped. What is kept is bounded by what an episode leaves unsettled.
+// Misuse (an action without an observation, a reward settled twice) is a bug. Thread-compatible.
+// Source: Sutton, Precup & Singh 1999 (semi-MDP); Xiao, Hoffman & Amato 2019 (per-agent transitions
+// of macro-actions).
 #include <cstdint>
 #include <deque>
 #include <vector>

@@ -69,17 +69,21 @@ std::string ConfigurationPage() {
   std::map<std::string, std::string> rows;
   for (const Keys& keys : KeysOfProcesses()) {
     for (const Config::Known& known : keys.known) {
-      const std::string section = known.key.substr(0, known.key.rfind('.'));
+      const auto dot = known.key.rfind('.');
+      const std::string section =
+          dot == std::string::npos ? "Without a section" : "[" + known.key.substr(0, dot) + "]";
+      const std::string rule =
+          known.listed_in.empty() ? known.rule : "a name of " + known.listed_in;
       if (!rows.contains(section)) sections.push_back(section);
       rows[section] +=
           fmt::format("| `{}` | `{}` | {} | {} | {} |\n", known.key, Cell(known.default_value),
-                      Cell(known.rule), keys.readers, Cell(known.doc));
+                      Cell(rule), keys.readers, Cell(known.doc));
     }
   }
   std::string page(kPreface);
   for (const std::string& section : sections) {
     page += fmt::format(
-        "\n## [{}]\n\n| key | default | rule | read by | meaning |\n|---|---|---|---|---|\n{}",
+        "\n## {}\n\n| key | default | rule | read by | meaning |\n|---|---|---|---|---|\n{}",
         section, rows[section]);
   }
   return page;

@@ -101,7 +101,7 @@ TrainSetup::TrainSetup(const TrainArguments& arguments,
   follows("interface.observation_size", std::int64_t{encoder.observation_size()});
   follows("interface.num_actions", std::int64_t{encoder.num_actions()});
   follows("interface.features", std::int64_t{encoder.features_per_candidate()});
-  follows("interface.schema", std::string(Schema(encoder.scheme())));
+  follows("interface.schema", Schema(encoder.options()));
   const PatrolEnvironmentOptions& environment = actor_.environment;
   const double t_ref_s = walk_.length_m / (environment.agents * environment.speed_mps);
   follows("interface.speed_mps", environment.speed_mps);

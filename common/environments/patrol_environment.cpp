@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,7 @@ const PatrolEnvironmentOptions& Checked(const PatrolEnvironmentOptions& options)
   Require(options.horizon > 0.0, "horizon", "> 0", options.horizon);
   Require(options.episode_length > 0.0, "episode_length", "> 0", options.episode_length);
   Require(options.initial_idleness >= 0.0, "initial_idleness", "≥ 0", options.initial_idleness);
+  Require(options.reward_n_worst >= 1, "reward_n_worst", "≥ 1", options.reward_n_worst);
   return options;
 }
 
@@ -37,27 +39,35 @@ WorldOptions TeamOf(const PatrolEnvironmentOptions& options) {
           .travel_noise = options.travel_noise};
 }
 
+ObservationOptions ObservationOf(const PatrolEnvironmentOptions& options) {
+  ObservationOptions observation = options.observation;
+  observation.robots = options.agents;
+  return observation;
+}
+
 }  // namespace
 
 PatrolEnvironment::PatrolEnvironment(const PatrolGraph& graph, const ShortestPaths& paths,
                                      const PatrolEnvironmentOptions& options)
     : options_(Checked(options)),
       world_(graph, TeamOf(options)),
-      encoder_(graph, paths, options.observation),
+      encoder_(graph, paths, ObservationOf(options)),
       spec_{.observation_size = encoder_.observation_size(),
             .num_actions = encoder_.num_actions(),
             .num_agents = options.agents},
       agents_(static_cast<std::size_t>(options.agents)),
       pending_(static_cast<std::size_t>(graph.vertex_count())),
+      idleness_s_(pending_.size()),
       observation_(static_cast<std::size_t>(spec_.observation_size)),
       legal_(static_cast<std::size_t>(spec_.num_actions)) {
   if (graph.edge_count() == 0) {
     throw InputError(fmt::format("map {}: patrolling needs at least 1 edge, got 0", graph.name()));
   }
-  scale_.reference_s = options.closed_walk_m / world_.total_speed_mps();
-  scale_.horizon_s = options.horizon * scale_.reference_s;
-  settle_within_s_ = kHorizonsToSettle * scale_.horizon_s;
-  episode_s_ = options.episode_length * scale_.reference_s;
+  parameters_.reference_s = options.closed_walk_m / world_.total_speed_mps();
+  parameters_.horizon_s = options.horizon * parameters_.reference_s;
+  parameters_.n_worst = options.reward_n_worst;
+  settle_within_s_ = kHorizonsToSettle * parameters_.horizon_s;
+  episode_s_ = options.episode_length * parameters_.reference_s;
   settled_.reserve(2 * pending_.size() + 1);
 }
 
@@ -67,7 +77,7 @@ void PatrolEnvironment::Reset(const Rng& rng) {
   const auto starts = PatrolWorld::RandomStarts(graph, options_.agents, draws);
   std::vector<double> last_visits_s(pending_.size(), 0.0);
   if (options_.initial_idleness > 0.0) {
-    const double largest_s = options_.initial_idleness * scale_.reference_s;
+    const double largest_s = options_.initial_idleness * parameters_.reference_s;
     for (double& last_s : last_visits_s) last_s = -largest_s * draws.Uniform();
   }
   world_.Reset(starts, draws);
@@ -91,31 +101,41 @@ StepOutcome PatrolEnvironment::Step(int action) {
   world_.Depart(robot, encoder_.NextVertex(world_.target(robot), action));
 
   const auto arrival = world_.NextArrival(kForever);
+  const bool last_step = arrival->time_s >= episode_s_;
   SettleLate(arrival->time_s);
-  SettleArrival(*arrival);
+  SettleArrival(*arrival, last_step);
   MakeDecision(*arrival);
-  if (arrival->time_s >= episode_s_) {
+  if (last_step) {
     state_ = EpisodeState::kCut;
     SettleLate(kForever);
   }
   return {.state = state_, .settled = settled_};
 }
 
-void PatrolEnvironment::SettleArrival(const Arrival& arrival) {
+void PatrolEnvironment::SettleArrival(const Arrival& arrival, bool last_step) {
   if (pending_[arrival.vertex].agent >= 0) {
     SettlePending(arrival.vertex, arrival.time_s - pending_[arrival.vertex].since_s);
   }
   const Agent& agent = agents_[arrival.robot];
   if (agent.count == 0) return;  // its start: no decision led here
-  const Visit visit{.travel_s = arrival.time_s - agent.made_s, .idleness_s = arrival.idleness_s};
-  if (options_.reward == RewardScheme::kIdleness) {
-    settled_.push_back({.agent = arrival.robot,
-                        .index = agent.count - 1,
-                        .reward = IdlenessReward(visit, scale_)});
+  const auto last_visits_s = world_.last_visits_s();
+  std::transform(last_visits_s.begin(), last_visits_s.end(), idleness_s_.begin(),
+                 [&](double last_s) { return arrival.time_s - last_s; });
+  idleness_s_[arrival.vertex] = arrival.idleness_s;  // the visit has reset it in the world
+  const float reward = Reward(options_.reward,
+                              {.travel_s = arrival.time_s - agent.made_s,
+                               .vertex = arrival.vertex,
+                               .idleness_s = idleness_s_,
+                               .last_step = last_step},
+                              parameters_);
+  if (!WaitsForNextVisit(options_.reward)) {
+    settled_.push_back({.agent = arrival.robot, .index = agent.count - 1, .reward = reward});
     return;
   }
-  pending_[arrival.vertex] = {
-      .agent = arrival.robot, .index = agent.count - 1, .since_s = arrival.time_s, .visit = visit};
+  pending_[arrival.vertex] = {.agent = arrival.robot,
+                              .index = agent.count - 1,
+                              .since_s = arrival.time_s,
+                              .reward = reward};
 }
 
 /// Settles the visits that waited too long at `now_s`: nobody came.
@@ -131,7 +151,7 @@ void PatrolEnvironment::SettlePending(int vertex, double next_visit_after_s) {
   Pending& pending = pending_[vertex];
   settled_.push_back({.agent = pending.agent,
                       .index = pending.index,
-                      .reward = HindsightReward(pending.visit, next_visit_after_s, scale_)});
+                      .reward = HindsightReward(pending.reward, next_visit_after_s, parameters_)});
   pending.agent = -1;
 }
 
@@ -144,7 +164,7 @@ void PatrolEnvironment::MakeDecision(const Arrival& arrival) {
                .legal_actions = legal_,
                .discount = agent.count == 0
                                ? 1.0f
-                               : Discount(arrival.time_s - agent.made_s, scale_.horizon_s)};
+                               : Discount(arrival.time_s - agent.made_s, parameters_.horizon_s)};
   ++agent.count;
   agent.made_s = arrival.time_s;
 }

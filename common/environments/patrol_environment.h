@@ -4,14 +4,15 @@
 //
 // A semi-MDP: the discount of an edge that took τ seconds is γ^τ with γ = exp(−1/T_d). A robot is
 // asked only where it has arrived; what it chose then stands until its next arrival, where the
-// visit decides the reward of that choice (reward.h). The hindsight reward waits for the next visit
-// of the same vertex by anyone, at most 5 T_d (it then counts as never).
+// visit decides the reward of that choice (reward.h). A reward that waits for the next visit of the
+// same vertex by anyone does so for at most 5 T_d (it then counts as never).
 //
 // Each episode starts from random vertices, at random idleness where asked for. It is cut at the
 // first arrival at or after its length: every decision that has arrived is settled by then (without
-// a next visit: never), those under way are dropped. T_ref = closed walk / Σ speeds is the unit of
-// all times in the options. Errors: InputError for options out of range. Thread-compatible. O(A·V +
-// N·V) a step, no allocation once warm. Source: thesis §1.3, §3.2, §4.2.
+// a next visit: never), those under way are dropped. So the last step, where final-average is
+// given, is the one arrival that ends the episode: one decision of one robot. T_ref = closed walk /
+// Σ speeds is the unit of all times in the options. Errors: InputError for options out of range.
+// Thread-compatible. O(A·V + N·V) a step, no allocation once warm. Source: thesis §1.3, §3.2, §4.2.
 #include <cstdint>
 #include <vector>
 
@@ -24,15 +25,16 @@
 namespace ronda {
 
 struct PatrolEnvironmentOptions {
-  int agents = 10;                // N ≥ 1
-  double speed_mps = 1.0;         // > 0, of every robot
-  double travel_noise = 0.0;      // σ ≥ 0, as WorldOptions
-  double closed_walk_m = 0.0;     // > 0, length of a short closed walk through all vertices
-  double horizon = 0.3;           // T_d in T_ref, > 0
-  double episode_length = 40.0;   // in T_ref, > 0
-  double initial_idleness = 0.0;  // each vertex starts idle for up to so many T_ref; ≥ 0
-  ObservationScheme observation = ObservationScheme::kCandidates;
+  int agents = 10;                      // N ≥ 1
+  double speed_mps = 1.0;               // > 0, of every robot
+  double travel_noise = 0.0;            // σ ≥ 0, as WorldOptions
+  double closed_walk_m = 0.0;           // > 0, length of a short closed walk through all vertices
+  double horizon = 0.3;                 // T_d in T_ref, > 0
+  double episode_length = 40.0;         // in T_ref, > 0
+  double initial_idleness = 0.0;        // each vertex starts idle for up to so many T_ref; ≥ 0
+  ObservationOptions observation = {};  // its robots follow from `agents`
   RewardScheme reward = RewardScheme::kHindsight;
+  int reward_n_worst = 3;  // n of n-worst, ≥ 1
 };
 
 class PatrolEnvironment final : public Environment {
@@ -60,16 +62,16 @@ class PatrolEnvironment final : public Environment {
     int agent = -1;
     std::uint64_t index = 0;
     double since_s = 0.0;
-    Visit visit;
+    float reward = 0.0f;  // should nobody come
   };
 
-  void SettleArrival(const Arrival& arrival);
+  void SettleArrival(const Arrival& arrival, bool last_step);
   void SettleLate(double now_s);
   void SettlePending(int vertex, double next_visit_after_s);
   void MakeDecision(const Arrival& arrival);
 
   PatrolEnvironmentOptions options_;
-  RewardScale scale_;
+  RewardParameters parameters_;
   double settle_within_s_;
   double episode_s_;
   PatrolWorld world_;
@@ -78,6 +80,7 @@ class PatrolEnvironment final : public Environment {
   EpisodeState state_ = EpisodeState::kCut;  // until the first Reset
   std::vector<Agent> agents_;                // (N)
   std::vector<Pending> pending_;             // (V)
+  std::vector<double> idleness_s_;           // (V) just before the present visit
   std::vector<SettledReward> settled_;
   std::vector<float> observation_;   // (O)
   std::vector<std::uint8_t> legal_;  // (A)

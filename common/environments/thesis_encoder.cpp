@@ -1,7 +1,6 @@
 #include "common/environments/thesis_encoder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "common/base/check.h"
@@ -42,9 +41,12 @@ struct ThesisEncoder::Tables {
   std::vector<int> order;  // (V, V) vertices, nearest first
 };
 
-ThesisEncoder::ThesisEncoder(const PatrolGraph& graph, const ShortestPaths& paths)
+ThesisEncoder::ThesisEncoder(const PatrolGraph& graph, const ShortestPaths& paths,
+                             const ThesisBlocks& blocks)
     : graph_(&graph),
+      blocks_(blocks),
       tables_(std::make_shared<const Tables>(graph, paths)),
+      idleness_(blocks.idleness, blocks.alpha, graph.vertex_count()),
       team_(&tables_->distances) {}
 
 int ThesisEncoder::NextVertex(int vertex, int action) const {
@@ -58,17 +60,16 @@ void ThesisEncoder::Encode(const PatrolWorld& world, int robot, std::span<float>
                   static_cast<int>(legal_actions.size()) == num_actions(),
               "{} floats and {} actions for an observation of {} and {}", observation.size(),
               legal_actions.size(), observation_size(), num_actions());
-  team_.Observe(world, robot);
+  if (blocks_.others) team_.Observe(world, robot);
   const int vertex = world.target(robot);
   const double unit_s = tables_->distances.unit_m() / world.speed_mps(robot);
-  const double mean_s = std::max(kFloor * unit_s, world.instantaneous_graph_idleness_s());
+  const auto idleness = idleness_.Observe(world, kFloor * unit_s);
   const auto neighbours = graph_->neighbours(vertex);
   for (int k = 0; k < vertices; ++k) {
     const int x = NextVertex(vertex, k);
-    const auto idleness = static_cast<float>(std::log1p(world.idleness_s(x) / mean_s));
     observation[k] = std::min(kLargest, tables_->distances.distance(vertex, x));
-    observation[vertices + k] = std::min(kLargest, idleness);
-    observation[2 * vertices + k] = std::min(kLargest, team_.earliest()[x]);
+    observation[vertices + k] = idleness[x];
+    if (blocks_.others) observation[2 * vertices + k] = std::min(kLargest, team_.earliest()[x]);
     legal_actions[k] = std::binary_search(neighbours.begin(), neighbours.end(), x) ? 1 : 0;
   }
 }

@@ -23,7 +23,7 @@ struct Transition {
   float reward = 0.0f;                           // discounted to the moment of the decision
   float discount = 0.0f;                         // 0 … 1
   std::vector<float> next_observation;           // (O); zeros where discount = 0
-  std::vector<std::uint8_t> next_legal_actions;  // (A); 1 where the action is legal
+  std::vector<std::uint8_t> next_legal_actions;  // (A); 1 where legal; at least one, always
   std::vector<float> extras;                     // (X)
   std::uint32_t agent = 0;
   std::uint64_t weights_version = 0;  // of the policy that chose the action

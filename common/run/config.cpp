@@ -260,7 +260,8 @@ bool Config::GetBool(const std::string& key, bool default_value, const std::stri
 }
 
 std::string Config::GetString(const std::string& key, const std::string& default_value,
-                              const std::vector<std::string>& allowed, const std::string& doc) {
+                              const std::vector<std::string>& allowed, const std::string& doc,
+                              const std::string& listed_in) {
   const auto is_allowed = [&](const std::string& text) {
     return allowed.empty() || std::find(allowed.begin(), allowed.end(), text) != allowed.end();
   };
@@ -272,7 +273,7 @@ std::string Config::GetString(const std::string& key, const std::string& default
   const auto* given = Find<std::string>(key, allowed.empty() ? "must be text" : "must be " + rule);
   const std::string value = given != nullptr ? *given : default_value;
   if (!is_allowed(value)) Refuse(key, "must be " + rule);
-  Register({key, ToToml(value), ToToml(default_value), rule, doc});
+  Register({key, ToToml(value), ToToml(default_value), rule, doc, listed_in});
   return value;
 }
 

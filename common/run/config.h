@@ -29,6 +29,7 @@ class Config {
     std::string default_value;
     std::string rule;  // "1 to 65536"
     std::string doc;
+    std::string listed_in = {};  // empty: the rule lists what is allowed
   };
 
   Config() = default;
@@ -49,9 +50,11 @@ class Config {
   double GetDouble(const std::string& key, double default_value, double least, double most,
                    const std::string& doc);
   bool GetBool(const std::string& key, bool default_value, const std::string& doc);
-  /// `allowed` empty: any text.
+  /// `allowed` empty: any text. `listed_in`: where a page of all keys refers to instead of listing
+  /// what is allowed.
   std::string GetString(const std::string& key, const std::string& default_value,
-                        const std::vector<std::string>& allowed, const std::string& doc);
+                        const std::vector<std::string>& allowed, const std::string& doc,
+                        const std::string& listed_in = "");
   /// `least` and `most` hold for each element.
   std::vector<int> GetIntList(const std::string& key, const std::vector<int>& default_value,
                               int least, int most, const std::string& doc);

@@ -24,6 +24,11 @@ int EditDistance(std::string_view a, std::string_view b) {
 
 std::optional<std::string> NearestName(std::string_view name,
                                        const std::vector<std::string>& known) {
+  const auto same_but_for_sections = [&](const std::string& key) {
+    return name.ends_with("." + key) || key.ends_with("." + std::string(name));
+  };
+  const auto moved = std::find_if(known.begin(), known.end(), same_but_for_sections);
+  if (moved != known.end()) return *moved;
   const auto nearest = std::min_element(
       known.begin(), known.end(), [&](const std::string& left, const std::string& right) {
         return EditDistance(name, left) < EditDistance(name, right);

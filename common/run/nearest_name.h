@@ -1,7 +1,8 @@
 #pragma once
 // The known name that a mistyped one most likely meant: least Damerau-Levenshtein distance (optimal
 // string alignment: insert, delete, replace or swap two neighbours, 1 each); the first among
-// equals. Pure. O(length²) for each known name. Source: Damerau 1964.
+// equals. A name that differs by leading sections only (a.b for b, or b for a.b) goes before all.
+// Pure. O(length²) for each known name. Source: Damerau 1964.
 #include <optional>
 #include <string>
 #include <string_view>

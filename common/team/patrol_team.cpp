@@ -24,6 +24,7 @@ PatrolTeam::PatrolTeam(const PatrolGraph& graph, const std::filesystem::path& po
   }
   const ShortestPaths paths(graph);
   strategy_ = LoadPolicyStrategy(policy_file, {.graph = &graph, .paths = &paths});
+  strategy_->Begin(graph, options.speeds_mps, rng_);  // refuses a team that it does not fit
   world_.Reset(starts, rng_);
 }
 

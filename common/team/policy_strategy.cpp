@@ -26,10 +26,16 @@ NetworkSpec FitToMap(NetworkSpec spec, const ObservationEncoder& encoder, const 
   return spec;
 }
 
+ObservationOptions ObservationOf(const PolicyFile& policy) {
+  ObservationOptions options = SchemeOf(policy.spec.schema);
+  options.robots = policy.training.agents;
+  return options;
+}
+
 class PolicyStrategy final : public Strategy {
  public:
   PolicyStrategy(const PolicyFile& policy, const StrategyContext& context)
-      : encoder_(*context.graph, *context.paths, SchemeOf(policy.spec.schema)),
+      : encoder_(*context.graph, *context.paths, ObservationOf(policy)),
         policy_(FitToMap(policy.spec, encoder_, policy, *context.graph)),
         observation_(static_cast<std::size_t>(encoder_.observation_size())),
         legal_(static_cast<std::size_t>(encoder_.num_actions())) {
@@ -40,6 +46,16 @@ class PolicyStrategy final : public Strategy {
     const LoadResult result = policy_.Load(snapshot);
     RONDA_CHECK(result == LoadResult::kLoaded, "a checked policy file does not load: {}",
                 static_cast<int>(result));
+  }
+
+  std::vector<RobotStart> Begin(const PatrolGraph& graph, std::span<const double> speeds_mps,
+                                Rng& rng) override {
+    const auto robots = static_cast<int>(speeds_mps.size());
+    if (encoder_.team_size() > 0 && encoder_.team_size() != robots) {
+      throw InputError(fmt::format("the policy observes a team of {} robots, this one has {}",
+                                   encoder_.team_size(), robots));
+    }
+    return Strategy::Begin(graph, speeds_mps, rng);
   }
 
   int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& /*rng*/) override {

@@ -26,10 +26,10 @@ TEST_CASE("The patrol environment conforms, whatever it observes, rewards and su
   const auto where =
       GENERATE(Case{"4nodes", 1, 8.0}, Case{"4nodes", 2, 8.0}, Case{"4nodes", 7, 20.0},
                Case{"grid", 3, 3.0}, Case{"cumberland", 10, 3.0}, Case{"cumberland", 45, 6.0});
-  const auto observation = GENERATE(ObservationScheme::kCandidates, ObservationScheme::kThesis);
-  const auto reward = GENERATE(RewardScheme::kIdleness, RewardScheme::kHindsight);
+  const auto observation = GENERATE(from_range(ObservationNames()));
+  const auto reward = GENERATE(from_range(RewardNames()));
   const auto noise = GENERATE(0.0, 0.3);
-  CAPTURE(where.map, where.agents, Name(observation), Name(reward), noise);
+  CAPTURE(where.map, where.agents, observation, reward, noise);
   const PatrolGraph graph = Map(where.map);
   const ShortestPaths paths(graph);
   PatrolEnvironment sut(graph, paths,
@@ -38,8 +38,8 @@ TEST_CASE("The patrol environment conforms, whatever it observes, rewards and su
                          .closed_walk_m = ClosedWalkOf(graph, paths).length_m,
                          .episode_length = where.episode_length,
                          .initial_idleness = where.agents == 2 ? 1.5 : 0.0,
-                         .observation = observation,
-                         .reward = reward});
+                         .observation = ParseObservationScheme(observation),
+                         .reward = ParseRewardScheme(reward)});
 
   CheckEnvironmentConforms(sut);
 }

@@ -34,11 +34,16 @@ TEST_CASE("An allocation is seen by this program's counter") {
 }
 
 TEST_CASE("A warm step of the patrol environment allocates nothing") {
-  const auto scheme = GENERATE(ObservationScheme::kCandidates, ObservationScheme::kThesis);
+  const auto observation = GENERATE(from_range(ObservationNames()));
+  const auto reward = GENERATE(from_range(RewardNames()));
+  CAPTURE(observation, reward);
   const PatrolGraph graph =
       LoadMap("cumberland", RONDA_SOURCE_DIR "/maps", EdgeLengthSource::kEuclidean, nullptr);
   PatrolEnvironment sut(graph, ShortestPaths(graph),
-                        {.agents = 10, .closed_walk_m = 373.3, .observation = scheme});
+                        {.agents = 10,
+                         .closed_walk_m = 373.3,
+                         .observation = ParseObservationScheme(observation),
+                         .reward = ParseRewardScheme(reward)});
   Rng rng(1);
   sut.Reset(rng);
   const auto step = [&] {

@@ -131,7 +131,7 @@ TEST_CASE("At a terminal state every step that is left runs to the end with disc
   for (const Transition& transition : transitions) {
     CHECK(transition.discount == 0.0f);
     CHECK(transition.next_observation == std::vector<float>{0.0f, 0.0f});
-    CHECK(transition.next_legal_actions == std::vector<std::uint8_t>{0, 0});
+    CHECK(transition.next_legal_actions == std::vector<std::uint8_t>{1, 0});  // any one
   }
   CHECK(sut.adder.dropped() == 0);
 }

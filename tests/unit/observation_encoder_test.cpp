@@ -247,9 +247,11 @@ TEST_CASE("Renaming the vertices reorders the candidates and changes nothing els
 }
 
 TEST_CASE("A team twice as fast, at half the times, observes the same") {
-  const auto scheme = GENERATE(ObservationScheme::kCandidates, ObservationScheme::kThesis);
+  const auto name = GENERATE(from_range(ObservationNames()));
+  ObservationOptions options = ParseObservationScheme(name);
+  options.robots = 3;
   const PatrolGraph graph = Map("cumberland");
-  ObservationEncoder sut(graph, ShortestPaths(graph), scheme);
+  ObservationEncoder sut(graph, ShortestPaths(graph), options);
   for (int arrivals = 0; arrivals < 200; arrivals += 23) {
     const Played slow(graph, {1.0, 1.5, 0.75}, 0.0, arrivals, 3);
     const Played fast(graph, {2.0, 3.0, 1.5}, 0.0, arrivals, 3);
@@ -295,7 +297,7 @@ TEST_CASE("Observations are chosen by name, and an unknown name is answered with
   CHECK(ParseObservationScheme("thesis") == ObservationScheme::kThesis);
   CHECK_THROWS_AS(ParseObservationScheme("pixels"), UsageError);
   CHECK_THROWS_WITH(ParseObservationScheme("pixels"),
-                    Catch::Contains("candidates, thesis") && Catch::Contains("'pixels'"));
+                    Catch::Contains("candidates, thesis, sorted") && Catch::Contains("'pixels'"));
 }
 
 }  // namespace

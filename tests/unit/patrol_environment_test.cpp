@@ -64,23 +64,6 @@ void CheckSettled(const StepOutcome& outcome, const std::vector<SettledReward>& 
 
 float Value(double value) { return static_cast<float>(value); }
 
-TEST_CASE("Rewards are discounted to the decision and scaled by 2/T_ref") {
-  const RewardScale scale{.horizon_s = 30.0, .reference_s = 60.0};
-  const Visit visit{.travel_s = 15.0, .idleness_s = 90.0};
-  const double own = std::exp(-0.5) * 90.0 / 30.0;
-
-  CHECK(IdlenessReward(visit, scale) == Approx(own));
-  CHECK(HindsightReward(visit, 60.0, scale) == Approx(own * (1.0 - std::exp(-2.0))));
-  CHECK(HindsightReward(visit, std::numeric_limits<double>::infinity(), scale) == Approx(own));
-  CHECK(HindsightReward(visit, 0.0, scale) == 0.0f);
-}
-
-TEST_CASE("A discount is γ^τ, and never 0 however long an edge takes") {
-  CHECK(Discount(15.0, 30.0) == Approx(std::exp(-0.5)));
-  CHECK(Discount(0.0, 30.0) == 1.0f);
-  CHECK(Discount(1e6, 1.0) > 0.0f);
-}
-
 TEST_CASE("Own idleness is settled on arrival") {
   const PatrolGraph graph = Line();
   PatrolEnvironment sut(graph, ShortestPaths(graph), Options(1, RewardScheme::kIdleness));
@@ -152,6 +135,39 @@ TEST_CASE("Hindsight counts the next visit by anyone; robots that arrive togethe
   CheckSettled(outcome, {{0, 0, Value(expected)}});
 }
 
+TEST_CASE("A reward on arrival is of the idleness just before the visit, robot by robot") {
+  const PatrolGraph graph = Line();
+  PatrolEnvironment sut(graph, ShortestPaths(graph), Options(2, RewardScheme::kCentred));
+  ResetAt(sut, {0, 2});  // T_ref = 30 s, T_d = 15 s
+
+  CheckSettled(sut.Step(To(sut, 1)), {});
+  // Robot 0 is at 1, 10 s; idleness 10, 10, 10.
+  CheckSettled(sut.Step(To(sut, 1)), {{0, 0, 0.0f}});
+  // Robot 0 is at 0, 20 s; idleness 20, 10, 20.
+  CheckSettled(sut.Step(To(sut, 0)),
+               {{0, 1, Value(std::exp(-10.0 / 15.0) * (20.0 - 50.0 / 3.0) * 2.0 / 30.0)}});
+  // Robot 1 is at 1, 20 s; idleness 0, 10, 20.
+  CheckSettled(sut.Step(To(sut, 1)), {{1, 0, 0.0f}});
+}
+
+TEST_CASE("The final average is given once, at the arrival that ends the episode") {
+  const PatrolGraph graph = Line();
+  PatrolEnvironment sut(graph, ShortestPaths(graph), Options(1, RewardScheme::kFinalAverage));
+  ResetAt(sut, {0});
+  // To and fro between 0 and 1 until 240 s = 4 T_ref.
+  for (std::uint64_t index = 0; index < 23; ++index) {
+    const auto outcome = sut.Step(To(sut, sut.world().target(0) == 0 ? 1 : 0));
+    REQUIRE(outcome.state == EpisodeState::kRunning);
+    CheckSettled(outcome, {{0, index, 0.0f}});
+  }
+
+  const auto outcome = sut.Step(To(sut, 0));
+
+  CHECK(outcome.state == EpisodeState::kCut);
+  const double mean_s = (20.0 + 10.0 + 240.0) / 3.0;  // just before the visit of 0
+  CheckSettled(outcome, {{0, 23, Value(-std::exp(-10.0 / 30.0) * mean_s * 2.0 / 60.0)}});
+}
+
 TEST_CASE("An episode starts at random vertices, and idle where asked for") {
   const PatrolGraph graph = Line();
   auto options = Options(1, RewardScheme::kHindsight);
@@ -182,8 +198,10 @@ TEST_CASE("Options out of range are refused with key, rule and value") {
                     "environment.horizon: must be > 0, got -2");
   options.horizon = std::numeric_limits<double>::infinity();
   CHECK_THROWS_AS(PatrolEnvironment(graph, paths, options), InputError);
-  CHECK_THROWS_AS(ParseRewardScheme("ranking"), UsageError);
-  CHECK(ParseRewardScheme("hindsight") == RewardScheme::kHindsight);
+  options.horizon = 0.5;
+  options.reward_n_worst = 0;
+  CHECK_THROWS_WITH(PatrolEnvironment(graph, paths, options),
+                    "environment.reward_n_worst: must be ≥ 1, got 0");
 }
 
 }  // namespace

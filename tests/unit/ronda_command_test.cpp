@@ -116,6 +116,23 @@ TEST_CASE("A kernel that is none ends with status 2, variable, value and what th
   CHECK(Ronda("--version", "RONDA_KERNEL=baseline").status == 0);
 }
 
+TEST_CASE("A reward or observation of no such name ends with status 3 and the names there are") {
+  const TemporaryFolder folder;
+  const auto train = [&](const std::string& setting) {
+    return Ronda("train --map 4nodes --agents 2 --run " + (folder.path() / "run").string() +
+                 " --set " + setting);
+  };
+  const auto reward = train("reward=fame");
+  CHECK(reward.status == 3);
+  CHECK_THAT(reward.output, Catch::Contains("ranking") && Catch::Contains("final-average"));
+  const auto observation = train("observation=pixels");
+  CHECK(observation.status == 3);
+  CHECK_THAT(observation.output, Catch::Contains("sorted") && Catch::Contains("matrix"));
+  const auto alpha = train("observation_alpha=1e5");
+  CHECK(alpha.status == 3);
+  CHECK_THAT(alpha.output, Catch::Contains("observation_alpha"));
+}
+
 TEST_CASE("Help and version are no errors, a missing command is") {
   CHECK(Ronda("--version").output.starts_with("ronda "));
   CHECK(Ronda("--help").status == 0);

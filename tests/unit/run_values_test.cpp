@@ -97,6 +97,8 @@ TEST_CASE("Edit distance counts inserted, deleted, replaced and swapped letters"
 TEST_CASE("The nearest name is the first among equals, and none where none is known") {
   CHECK(NearestName("bat", {"cow", "cat", "rat"}) == "cat");
   CHECK_FALSE(NearestName("bat", {}));
+  CHECK(NearestName("zoo.cat", {"zoo.rat", "cat"}) == "cat");
+  CHECK(NearestName("cat", {"rat", "zoo.cat"}) == "zoo.cat");
 }
 
 TEST_CASE("RONDA_HOME moves the home folder, and without it the source folder is home") {

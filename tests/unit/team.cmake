@@ -1,1 +1,1 @@
-ronda_test(team_test SOURCES patrol_team_test.cpp LINKS ronda::team)
+ronda_test(team_test SOURCES patrol_team_test.cpp policy_strategy_test.cpp LINKS ronda::evaluation ronda::team)
