@@ -105,9 +105,11 @@ TEST_CASE("A discount is γ^τ, and never 0 however long an edge takes") {
 TEST_CASE("Rewards are chosen by name, and an unknown name is answered with the known ones") {
   for (const std::string& name : RewardNames()) CHECK(Name(ParseRewardScheme(name)) == name);
   CHECK_THROWS_AS(ParseRewardScheme("fame"), UsageError);
-  CHECK_THROWS_WITH(ParseRewardScheme("fame"),
-                    "the reward must be one of idleness, ranking, normalised, centred, average, "
-                    "n-worst, final-average, hindsight, got 'fame'");
+  CHECK_THROWS_WITH(
+      ParseRewardScheme("fame"),
+      Catch::StartsWith("the reward must be one of idleness, ranking, normalised, centred, "
+                        "average, n-worst, final-average, hindsight") &&
+          Catch::EndsWith(", got 'fame'"));
 }
 
 }  // namespace
