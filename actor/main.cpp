@@ -28,6 +28,7 @@ namespace {
 using std::chrono::milliseconds;
 
 /// A replay that was killed is back by then. The launcher waits for less at the end of a run.
+constexpr milliseconds kOrphanDrain{500};  // the launcher is gone, and the replay goes too
 constexpr milliseconds kLongestDrain{10'000};
 
 ProcessReport Report(const RoleOptions& options, const Actor& actor,
@@ -50,6 +51,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   const RoleOptions options =
       ParseRoleOptions("actor", "An actor of a run: patrols and sends transitions.", argc, argv);
   StartLog(fmt::format("actor-{}", options.index));
+  const pid_t parent = ::getppid();
   if (options.end_with_parent) EndWithParent();
   const Kernel kernel = KernelInUse();
   Config file = Config::FromFile(options.config_file);
@@ -99,7 +101,8 @@ int Body(int argc, char** argv, std::stop_token stop) {
     if (throttled) sink.Wait(milliseconds(20));
   }
   reports.Send(Report(options, actor, sink, weights, false));  // drained or not, it is counted
-  const bool confirmed = sink.Drain(kLongestDrain);
+  const bool orphan = options.end_with_parent && ::getppid() != parent;
+  const bool confirmed = sink.Drain(orphan ? kOrphanDrain : kLongestDrain);
   reports.Send(Report(options, actor, sink, weights, false));
   reports.Flush(milliseconds(100));
   if (!confirmed)

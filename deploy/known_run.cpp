@@ -31,13 +31,25 @@ bool HasEnded(const RunStatus& status) {
   return status.state == "finished" || status.state == "stopped" || status.state == "failed";
 }
 
+/// Nothing of it moves any more.
+void StandStill(RunStatus& status) {
+  status.processes.clear();
+  status.decisions_per_s = 0.0;
+  status.updates_per_s = 0.0;
+  for (ChannelStatus& channel : status.channels) {
+    channel.messages_per_s = 0.0;
+    channel.bytes_per_s = 0.0;
+    channel.waiting.clear();
+  }
+}
+
 }  // namespace
 
 void Judge(std::optional<pid_t> launcher, double now_unix_s, RunStatus& status) {
   if (!launcher) {
+    StandStill(status);
     if (HasEnded(status)) return;
     status.state = "abandoned";
-    status.processes.clear();
     status.problems = {"its launcher ended without a word; the same command goes on"};
     return;
   }

@@ -80,12 +80,12 @@ StyledLine Rates(const RunStatus& status) {
   const auto actors = std::count_if(
       status.processes.begin(), status.processes.end(),
       [](const ProcessStatus& process) { return IsActor(process) && process.pid != 0; });
-  StyledLine line(fmt::format("{} decisions/s · {} updates/s · replay {} of {} · {} in flight",
-                              Short(status.decisions_per_s), Short(status.updates_per_s),
-                              count(status.replay_size), count(status.replay_capacity),
-                              count(status.totals.in_flight)));
-  line.Add(" · ").Add(fmt::format("{} of {} actors", actors, status.actors_wanted),
-                      actors < status.actors_wanted ? Colour::kYellow : Colour::kNone);
+  StyledLine line(fmt::format("{} of {} actors", actors, status.actors_wanted),
+                  actors < status.actors_wanted ? Colour::kYellow : Colour::kNone);
+  line.Add(fmt::format(" · {} decisions/s · {} updates/s · replay {} of {} · {} in flight",
+                       Short(status.decisions_per_s), Short(status.updates_per_s),
+                       count(status.replay_size), count(status.replay_capacity),
+                       count(status.totals.in_flight)));
   if (status.totals.lost > 0) line.Add(fmt::format(" · {} lost", count(status.totals.lost)));
   if (status.totals.messages_refused > 0) {
     line.Add(fmt::format(" · {} messages refused", count(status.totals.messages_refused)),
@@ -164,7 +164,7 @@ TableRow ProcessRow(const ProcessStatus& process) {
 
 /// The heading and a line for each, in their order.
 Lines ProcessTable(const std::vector<const ProcessStatus*>& processes, int columns) {
-  if (processes.empty()) return {StyledLine("no process yet", Colour::kDim)};
+  if (processes.empty()) return {StyledLine("no process", Colour::kDim)};
   std::vector<TableRow> rows;
   for (const ProcessStatus* process : processes) rows.push_back(ProcessRow(*process));
   return TableLines({{.heading = "process"},

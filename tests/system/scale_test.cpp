@@ -37,6 +37,9 @@ TEST_CASE("A run scaled 2 to 6 to 1 to 3 actors loses and doubles nothing") {
   const TemporaryFolder temporary;
   LaunchedRun run(temporary.path() / "run", TrainFourNodes("1000000000"));
   REQUIRE(GoesOn(run));
+  // Somebody watches, with an output of its own, until the run is over.
+  LaunchedRun watcher(temporary.path() / "watch",
+                      {"watch", "--run", run.folder().string(), "--plain"});
 
   for (const int actors : {6, 1, 3}) {
     INFO(run.Output());
@@ -52,6 +55,9 @@ TEST_CASE("A run scaled 2 to 6 to 1 to 3 actors loses and doubles nothing") {
 
   CHECK(Ask(run.folder(), {"stop", "--run", "{run}"}).code == 0);
   CHECK(run.WaitForEnd(seconds(30)).code == 128 + SIGTERM);
+  CHECK(watcher.WaitForEnd(seconds(30)).code == 0);
+  CHECK(watcher.Output().find("decisions/s") != std::string::npos);
+  CHECK(watcher.Output().find("the run is stopped") != std::string::npos);
   const auto summary = run.Summary();
   CheckCounts(summary);
   CHECK(summary["transitions_lost"] == 0);

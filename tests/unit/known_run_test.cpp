@@ -19,6 +19,7 @@ RunStatus Running() {
   status.launcher_pid = 77;
   status.written_unix_s = 1000.0;
   status.best_agi_s = 12.5;
+  status.decisions_per_s = 40'000.0;
   status.processes = {{.role = "actor",
                        .index = 2,
                        .pid = 40,
@@ -62,6 +63,7 @@ TEST_CASE("A run that nobody holds and that did not end is abandoned") {
   CHECK(status.state == "abandoned");
   CHECK(status.problems.size() == 1);
   CHECK(status.processes.empty());
+  CHECK(status.decisions_per_s == 0.0);
 
   RunStatus ended = Running();
   ended.state = "stopped";
