@@ -94,7 +94,16 @@ std::vector<KnownRun> FindRuns(const std::filesystem::path& root) {
   }
   std::ranges::sort(folders);
   std::vector<KnownRun> runs;
-  for (const auto& folder : folders) runs.push_back(FindRun(folder));
+  for (const auto& folder : folders) {
+    try {
+      runs.push_back(FindRun(folder));
+    } catch (const Error& unreadable) {  // one bad folder hides no other
+      KnownRun& run = runs.emplace_back();
+      run.folder = folder;
+      run.status.state = "unreadable";
+      run.status.problems = {unreadable.what()};
+    }
+  }
   return runs;
 }
 

@@ -20,7 +20,8 @@ struct KnownRun {
 };
 
 KnownRun FindRun(const std::filesystem::path& folder);
-/// Those below `root`, by name; what is no run's folder is passed over.
+/// Those below `root`, by name; what is no run's folder is passed over, and a run that cannot be
+/// read is "unreadable", with the reason as its problem.
 std::vector<KnownRun> FindRuns(const std::filesystem::path& root);
 
 /// What the picture says, seen from outside at `now_unix_s`: a run that nobody holds and that has

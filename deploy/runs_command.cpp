@@ -12,6 +12,7 @@
 #include "common/run/duration.h"
 #include "common/run/unix_time.h"
 #include "deploy/known_run.h"
+#include "deploy/text_table.h"
 #include "deploy/totals_json.h"
 
 namespace ronda {
@@ -28,23 +29,35 @@ std::optional<double> AgeS(const RunStatus& status) {
 }
 
 std::string AsText(const std::vector<KnownRun>& runs) {
-  std::size_t width = 3;
-  for (const KnownRun& run : runs) width = std::max(width, run.folder.string().size());
-  std::string text =
-      fmt::format("{:<{}}  {:<12} {:>6} {:>6}  {:<14} {:>14} {:>10}  {}\n", "run", width, "map",
-                  "agents", "actors", "age", "best AGI", "classical", "state");
+  const auto seconds = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.2f} s", *value) : std::string();
+  };
+  std::vector<TableRow> rows;
   for (const KnownRun& run : runs) {
     const RunStatus& status = run.status;
-    const auto seconds = [](const std::optional<double>& value) {
-      return value ? fmt::format("{:.2f} s", *value) : std::string("-");
-    };
     const auto age_s = AgeS(status);
-    text += fmt::format("{:<{}}  {:<12} {:>6} {:>6}  {:<14} {:>14} {:>10}  {}\n",
-                        run.folder.string(), width, status.map, status.agents, status.actors_wanted,
-                        age_s ? FormatDuration(*age_s) : "-", seconds(status.best_agi_s),
-                        seconds(status.best_classical_agi_s),
-                        status.problems.empty() ? status.state : status.state + ", degraded");
+    rows.push_back({{run.folder.string()},
+                    {status.map},
+                    {std::to_string(status.agents)},
+                    {std::to_string(status.actors_wanted)},
+                    {age_s ? FormatDuration(*age_s) : ""},
+                    {seconds(status.best_agi_s)},
+                    {seconds(status.best_classical_agi_s)},
+                    {status.state},
+                    {status.problems.empty() ? "" : status.problems.front()}});
   }
+  const std::vector<TableColumn> columns{{"run"},
+                                         {"map"},
+                                         {"agents", Align::kRight},
+                                         {"actors", Align::kRight},
+                                         {"age", Align::kRight},
+                                         {"best AGI", Align::kRight},
+                                         {"best classical", Align::kRight},
+                                         {"state"},
+                                         {"problem"}};
+  std::string text;
+  for (const StyledLine& line : TableLines(columns, rows))
+    text += line.Draw(line.columns(), ViewStyle::kPlain) + "\n";
   return text;
 }
 

@@ -64,6 +64,10 @@ void Scale(const ScaleArguments& arguments, std::stop_token stop) {
       throw InputError(
           fmt::format("{}: the run ended meanwhile: it is {}", arguments.run, now.status.state));
     }
+    if (const int wanted = ReadWantedActors(arguments.run); wanted != arguments.actors) {
+      throw InputError(
+          fmt::format("{}: another command asks for {} actors meanwhile", arguments.run, wanted));
+    }
     missing = Missing(now.status, arguments.actors);
     if (missing.empty()) {
       fmt::print("{}: {} → {} actors in {:.1f} s; newest weights: version {}\n", arguments.run,

@@ -109,6 +109,23 @@ TEST_CASE("What is no run's folder is refused with what is missing") {
   CHECK(FindRuns(folder.path()).empty());
 }
 
+TEST_CASE("A run that cannot be read hides no other") {
+  const TemporaryFolder root;
+  for (const char* name : {"bad", "good"}) {
+    std::filesystem::create_directory(root.path() / name);
+    std::ofstream(root.path() / name / "config.toml") << "";
+  }
+  std::ofstream(root.path() / "bad" / "status.json") << "half a pict";
+  WriteRunStatus(root.path() / "good", Running());
+
+  const auto runs = FindRuns(root.path());
+
+  REQUIRE(runs.size() == 2);
+  CHECK(runs[0].status.state == "unreadable");
+  CHECK(runs[0].status.problems.at(0).find("status.json") != std::string::npos);
+  CHECK(runs[1].status.map == "grid");
+}
+
 TEST_CASE("The wanted number of actors is read as written, and refused beyond its range") {
   const TemporaryFolder folder;
   WriteWantedActors(folder.path(), 6);
