@@ -28,8 +28,8 @@ namespace {
 using std::chrono::milliseconds;
 
 /// A replay that was killed is back by then. The launcher waits for less at the end of a run.
-constexpr milliseconds kOrphanDrain{500};  // the launcher is gone, and the replay goes too
 constexpr milliseconds kLongestDrain{10'000};
+constexpr milliseconds kOrphanDrain{500};  // the launcher is gone, and the replay goes too
 
 ProcessReport Report(const RoleOptions& options, const Actor& actor,
                      const dds::ExperienceWriter& sink, const dds::WeightsReader& weights,

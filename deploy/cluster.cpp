@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "common/base/error.h"
+#include "deploy/run_status.h"
 
 namespace ronda {
 namespace {
@@ -52,9 +53,7 @@ const char* RoleName(Role role) {
   return "?";
 }
 
-std::string Cluster::Member::Name() const {
-  return role == Role::kActor ? fmt::format("actor {}", index) : RoleName(role);
-}
+std::string Cluster::Member::Name() const { return ProcessName(RoleName(role), index); }
 
 Cluster::Cluster(const ClusterOptions& options, std::function<std::uint64_t()> weights_version)
     : options_(options),

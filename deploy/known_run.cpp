@@ -12,8 +12,6 @@
 namespace ronda {
 namespace {
 
-constexpr double kLauncherSilentS = 5.0;  // it writes twice a second
-
 /// Of a run that has left no picture: a launcher that has just begun.
 RunStatus FromConfiguration(const std::filesystem::path& config_file) {
   Config config = Config::FromFile(config_file);
@@ -62,7 +60,7 @@ void Judge(std::optional<pid_t> launcher, double now_unix_s, RunStatus& status) 
     return;
   }
   const double silent_s = now_unix_s - status.written_unix_s;
-  if (silent_s > kLauncherSilentS && !HasEnded(status)) {
+  if (silent_s > kSilentAfterS && !HasEnded(status)) {
     status.problems.push_back(
         fmt::format("the launcher (process {}) has been silent for {:.0f} s", *launcher, silent_s));
   }

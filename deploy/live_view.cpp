@@ -17,7 +17,6 @@ using Lines = std::vector<StyledLine>;
 
 constexpr std::size_t kFirstActors = 3;
 constexpr std::size_t kMostProblems = 3;
-constexpr double kSilent_s = 5.0;  // from here on a process is said to be silent
 constexpr int kWidestBar = 30;
 constexpr int kWideScreen = 110;  // columns; below, tables leave room for who waits and what failed
 
@@ -27,10 +26,6 @@ std::string Plural(Count count, const std::string& noun) {
 }
 
 bool IsActor(const ProcessStatus& process) { return process.role == "actor"; }
-
-std::string Name(const ProcessStatus& process) {
-  return IsActor(process) ? fmt::format("actor {}", process.index) : process.role;
-}
 
 /// The first word of what it says of itself: "running", "waiting", "dead".
 std::string Mood(const ProcessStatus& process) {
@@ -45,7 +40,7 @@ Colour ColourOf(const std::string& mood) {
 /// 0: gone; 1: silent; 2: has died before; 3: nothing to say.
 int Trouble(const ProcessStatus& process) {
   if (process.pid == 0 || Mood(process) == "dead") return 0;
-  if (process.silent_s > kSilent_s) return 1;
+  if (process.silent_s > kSilentAfterS) return 1;
   return process.last_error.empty() ? 3 : 2;
 }
 
@@ -149,11 +144,11 @@ TableRow ProcessRow(const ProcessStatus& process) {
     rates += fmt::format("{}{} {}/s", rates.empty() ? "" : ", ", Short(per_s), what);
   }
   std::string state = process.state;
-  if (process.silent_s > kSilent_s && process.pid != 0) {
+  if (process.silent_s > kSilentAfterS && process.pid != 0) {
     state += fmt::format(", silent {}", ShortDuration(process.silent_s));
   }
   const Colour colour = Trouble(process) < 2 ? Colour::kRed : ColourOf(Mood(process));
-  return {{Name(process)},
+  return {{ProcessName(process.role, process.index)},
           {process.pid == 0 ? "–" : std::to_string(process.pid)},
           {state, colour},
           {rates},

@@ -29,6 +29,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunStatus, map, agents, algorithm, state, exi
                                    best_classical_agi_s, lower_bound_agi_s, processes, channels,
                                    events, problems)
 
+std::string ProcessName(const std::string& role, std::uint32_t index) {
+  return role == "actor" ? fmt::format("actor {}", index) : role;
+}
+
 std::string RunStatusAsJson(const RunStatus& status) {
   return nlohmann::json(status).dump(1) + "\n";
 }

@@ -16,6 +16,12 @@
 
 namespace ronda {
 
+inline constexpr double kSilentAfterS =
+    5.0;  // who tells of itself several times a second, normally
+
+/// "actor 2", "replay", "learner".
+std::string ProcessName(const std::string& role, std::uint32_t index);
+
 struct ProcessStatus {
   std::string role;  // replay, learner, actor
   std::uint32_t index = 0;

@@ -34,7 +34,7 @@ std::string Missing(const RunStatus& status, int actors) {
   if (status.actors_wanted != actors) return "the launcher to take it up";
   for (const ProcessStatus& process : status.processes) {
     if (!IsActor(process)) continue;
-    const std::string name = fmt::format("actor {}", process.index);
+    const std::string name = ProcessName(process.role, process.index);
     if (process.state == "leaving") return name + " to hand over what it holds";
     if (process.pid == 0 || process.state == "starting") return name + " to start";
     if (process.weights_version == 0 && status.totals.weights_version > 0) {

@@ -13,7 +13,6 @@ using std::chrono::duration;
 using std::chrono::seconds;
 
 constexpr seconds kRateWindow{2};
-constexpr double kSilentS = 5.0;     // a process reports five times a second
 constexpr double kStartingS = 20.0;  // until its first report
 
 struct ChannelRole {
@@ -43,9 +42,7 @@ double Metric(const std::map<std::string, double>& metrics, const std::string& n
   return found == metrics.end() ? 0.0 : found->second;
 }
 
-std::string Name(const ChildFacts& child) {
-  return child.role == Role::kActor ? fmt::format("actor {}", child.index) : RoleName(child.role);
-}
+std::string Name(const ChildFacts& child) { return ProcessName(RoleName(child.role), child.index); }
 
 double Seconds(StatusBoard::TimePoint::duration time) { return duration<double>(time).count(); }
 
@@ -137,7 +134,7 @@ std::vector<std::string> StatusBoard::ProblemsOf(const ChildFacts& child,
   }
   std::vector<std::string> problems;
   const Process* heard = Find(child.incarnation);
-  if (process.silent_s > (heard == nullptr ? kStartingS : kSilentS)) {
+  if (process.silent_s > (heard == nullptr ? kStartingS : kSilentAfterS)) {
     problems.push_back(fmt::format("{} (process {}) has not reported for {:.0f} s", Name(child),
                                    child.pid, process.silent_s));
   }

@@ -10,9 +10,13 @@
 #include "common/base/error.h"
 #include "common/world/graph_file.h"
 #include "tests/unit/candidate_reference.h"
+#include "tests/unit/encoded_observation.h"
 
 namespace ronda {
 namespace {
+
+using testing::Encode;
+using testing::Observation;
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr int kFeatures = CandidateEncoder::kFeatures;
@@ -30,19 +34,6 @@ PatrolGraph Graph(int vertices, std::vector<Edge> edges) {
 
 /// 1 –1– 0 –2– 2 –3– 3 –2– 4: the mean edge is 2 m, so distances in units are half of those in m.
 PatrolGraph Line() { return Graph(5, {{0, 1, 1.0}, {0, 2, 2.0}, {2, 3, 3.0}, {3, 4, 2.0}}); }
-
-struct Observation {
-  std::vector<float> values;
-  std::vector<std::uint8_t> legal;
-};
-
-Observation Encode(ObservationEncoder& encoder, const PatrolWorld& world, int robot) {
-  // Filled with what must be overwritten.
-  Observation observation{.values = std::vector<float>(encoder.observation_size(), 99.0f),
-                          .legal = std::vector<std::uint8_t>(encoder.num_actions(), 7)};
-  encoder.Encode(world, robot, observation.values, observation.legal);
-  return observation;
-}
 
 /// Robot 0 has just come from 1 to 0, at 0.5 s; robot 1 is `other_left_m` before `other_target`.
 /// Idleness in units: 0, 3, 1, 2, 4 (mean 2) where robot 1 is on its way since before.

@@ -6,11 +6,14 @@
 
 #include "common/base/error.h"
 #include "common/environments/observation_encoder.h"
+#include "tests/unit/encoded_observation.h"
 #include "tests/unit/graphs_by_hand.h"
 
 namespace ronda {
 namespace {
 
+using testing::Encode;
+using testing::Observation;
 using Numbers = std::vector<double>;
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
@@ -28,19 +31,6 @@ PatrolWorld StandingAt3(const PatrolGraph& graph, const Numbers& idleness_s) {
   for (int v = 0; v < 5; ++v) world.SetLastVisit(v, -idleness_s[v]);
   REQUIRE(world.NextArrival(kForever)->vertex == 3);
   return world;
-}
-
-struct Observation {
-  std::vector<float> values;
-  std::vector<std::uint8_t> legal;
-};
-
-Observation Encode(ObservationEncoder& encoder, const PatrolWorld& world, int robot) {
-  // Filled with what must be overwritten.
-  Observation observation{.values = std::vector<float>(encoder.observation_size(), 99.0f),
-                          .legal = std::vector<std::uint8_t>(encoder.num_actions(), 7)};
-  encoder.Encode(world, robot, observation.values, observation.legal);
-  return observation;
 }
 
 /// The second half of a vector of 2 V, which shows idleness in the order 3, 4, 2, 0, 1.
