@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -39,6 +41,29 @@ void CheckVertices(const GraphData& data) {
     throw InputError(
         fmt::format("metres_per_px must be positive and finite, got {}", data.metres_per_px));
   }
+}
+
+/// Priorities over their mean; alike ones become none.
+std::vector<double> Weights(GraphData& data) {
+  std::vector<double>& priorities = data.priorities;
+  RONDA_CHECK(priorities.empty() || priorities.size() == data.positions.size(),
+              "{} priorities for {} vertices", priorities.size(), data.positions.size());
+  for (std::size_t v = 0; v < priorities.size(); ++v) {
+    if (!(priorities[v] >= 1e-6 && priorities[v] <= 1e6)) {
+      throw InputError(fmt::format("vertex {}: a priority must be in 1e-6 … 1e6, got {}",
+                                   data.vertex_ids[v], priorities[v]));
+    }
+  }
+  if (std::ranges::adjacent_find(priorities, std::not_equal_to<>()) == priorities.end()) {
+    priorities.clear();
+    return std::vector<double>(data.positions.size(), 1.0);
+  }
+  const double sum = std::accumulate(priorities.begin(), priorities.end(), 0.0);
+  std::vector<double> weights;
+  for (const double priority : priorities) {
+    weights.push_back(priority / sum * static_cast<double>(priorities.size()));
+  }
+  return weights;
 }
 
 void CheckEdges(const GraphData& data) {
@@ -121,6 +146,7 @@ void CheckClosedWalk(const PatrolGraph& graph, const ClosedWalk& walk) {
 PatrolGraph::PatrolGraph(GraphData data) : data_(std::move(data)) {
   CheckVertices(data_);
   CheckEdges(data_);
+  weights_ = Weights(data_);
   const int count = vertex_count();
   std::vector<std::vector<std::pair<int, double>>> rows(count);
   double total_m = 0.0;

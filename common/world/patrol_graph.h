@@ -38,6 +38,7 @@ struct GraphData {
   std::vector<std::string> vertex_ids = {};  // (V)
   std::vector<Position> positions = {};      // (V)
   std::vector<Edge> edges = {};              // each once, either direction
+  std::vector<double> priorities = {};       // (V) only ratios count; empty: all alike
   double metres_per_px = 1.0;                // some strategies are defined in px
   std::string source = {};                   // where the map comes from, for people
   std::optional<ClosedWalk> shortest_closed_walk = {};
@@ -50,8 +51,8 @@ class PatrolGraph {
 
   /// Throws InputError when there are fewer than 2 vertices or more than kMaxVertices, when an edge
   /// is not positive and finite, names no vertex, is a loop or stands twice, when an id stands
-  /// twice, when the graph is not connected, or when the closed walk is none; the message names the
-  /// element.
+  /// twice, when a priority is not in 1e-6 … 1e6, when the graph is not connected, or when
+  /// the closed walk is none; the message names the element.
   explicit PatrolGraph(GraphData data);
 
   const std::string& name() const { return data_.name; }
@@ -77,6 +78,11 @@ class PatrolGraph {
   const std::vector<Position>& positions() const { return data_.positions; }
   const std::string& vertex_id(int vertex) const { return data_.vertex_ids[vertex]; }
   double metres_per_px() const { return data_.metres_per_px; }
+  /// What a second of idleness counts at each vertex: its priority over their mean, 1 where all are
+  /// alike.
+  std::span<const double> weights() const { return weights_; }
+  /// No vertex counts more than another.
+  bool unweighted() const { return data_.priorities.empty(); }
   const std::string& source() const { return data_.source; }
   /// The shortest closed walk that came with the map, if one did.
   const std::optional<ClosedWalk>& shortest_closed_walk() const {
@@ -88,6 +94,7 @@ class PatrolGraph {
   std::vector<int> first_arc_;     // (V + 1)
   std::vector<int> neighbours_;    // (2E)
   std::vector<double> lengths_m_;  // (2E)
+  std::vector<double> weights_;    // (V) mean 1
   int max_degree_ = 0;
   double mean_edge_length_m_ = 0.0;
 };

@@ -32,6 +32,30 @@ TEST_CASE("neighbours stand in ascending order with their lengths beside them") 
   CHECK(sut.mean_edge_length_m() == 3.5);
 }
 
+TEST_CASE("weights are the priorities over their mean, 1 where all are alike") {
+  GraphData data = Path();
+  CHECK(PatrolGraph(data).weights()[1] == 1.0);
+  CHECK(PatrolGraph(data).unweighted());
+
+  data.priorities = {7.0, 7.0, 7.0};
+  CHECK(PatrolGraph(data).unweighted());
+
+  data.priorities = {1.0, 4.0, 1.0};
+  const PatrolGraph sut(data);
+  CHECK(std::vector<double>(sut.weights().begin(), sut.weights().end()) ==
+        std::vector<double>{0.5, 2.0, 0.5});
+  CHECK_FALSE(sut.unweighted());
+}
+
+TEST_CASE("a priority is a number that can be reckoned with") {
+  for (const double bad : {0.0, -1.0, 1e7, std::numeric_limits<double>::quiet_NaN()}) {
+    GraphData data = Path();
+    data.priorities = {1.0, bad, 1.0};
+    CHECK_THROWS_WITH(PatrolGraph(data), Catch::Matchers::StartsWith(
+                                             "vertex b: a priority must be in 1e-6 … 1e6, got "));
+  }
+}
+
 TEST_CASE("an edge has one length in both directions") {
   const PatrolGraph sut(Path());
 
