@@ -16,7 +16,6 @@
 namespace ronda {
 namespace {
 
-constexpr double kSamePoint_m = 1e-3;  // ends closer than this count as one point
 constexpr int kMaxNeighbours = 1 << 20;
 
 /// A token as an error shows it: short, and without what a terminal would obey.

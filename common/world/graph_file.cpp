@@ -12,6 +12,7 @@
 #include "common/base/error.h"
 #include "common/world/dot_graph_file.h"
 #include "common/world/node_link_file.h"
+#include "common/world/random_graph.h"
 
 namespace ronda {
 namespace {
@@ -36,6 +37,8 @@ std::string ReadText(const fs::path& path) {
   return text;
 }
 
+}  // namespace
+
 std::vector<std::string> ShippedMaps(const fs::path& maps_dir) {
   std::vector<std::string> names;
   std::error_code error;
@@ -45,8 +48,6 @@ std::vector<std::string> ShippedMaps(const fs::path& maps_dir) {
   std::sort(names.begin(), names.end());
   return names;
 }
-
-}  // namespace
 
 EdgeLengthSource ParseEdgeLengthSource(const std::string& name) {
   if (name == "euclidean") return EdgeLengthSource::kEuclidean;
@@ -77,6 +78,7 @@ PatrolGraph ReadGraphFile(const fs::path& path, EdgeLengthSource length_source,
 
 PatrolGraph LoadMap(const std::string& name_or_path, const fs::path& maps_dir,
                     EdgeLengthSource length_source, std::vector<std::string>* warnings) {
+  if (const auto options = ParseRandomMap(name_or_path)) return RandomGeometricGraph(*options);
   const fs::path path(name_or_path);
   if (path.has_parent_path() || path.extension() == ".graph" || path.extension() == ".json") {
     return ReadGraphFile(path, length_source, warnings);
@@ -84,7 +86,8 @@ PatrolGraph LoadMap(const std::string& name_or_path, const fs::path& maps_dir,
   const std::vector<std::string> shipped = ShippedMaps(maps_dir);
   if (std::find(shipped.begin(), shipped.end(), name_or_path) == shipped.end()) {
     throw InputError(
-        fmt::format("a map must be a .graph or .json file or one of the maps in {} ({}), got '{}'",
+        fmt::format("a map must be a .graph or .json file, random:VERTICES:SEED or one of the maps "
+                    "in {} ({}), got '{}'",
                     maps_dir.string(), fmt::join(shipped, ", "), name_or_path));
   }
   return ReadGraphFile(maps_dir / (name_or_path + ".json"), length_source, warnings);

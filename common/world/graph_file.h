@@ -14,6 +14,9 @@
 
 namespace ronda {
 
+/// Ends closer than this count as one point, and an edge between them is taken as this long.
+inline constexpr double kSamePoint_m = 1e-3;
+
 enum class EdgeLengthSource {
   kEuclidean,  // the distance between the ends (thesis §1.3); an explicit JSON `length` wins over
                // it
@@ -24,19 +27,31 @@ enum class EdgeLengthSource {
 /// "euclidean" or "file"; else InputError.
 EdgeLengthSource ParseEdgeLengthSource(const std::string& name);
 
+/// The names of the maps that ship, ascending.
+std::vector<std::string> ShippedMaps(const std::filesystem::path& maps_dir);
+
 /// Reads one map file; the format follows from its name (`.graph`, or `.json`).
 PatrolGraph ReadGraphFile(const std::filesystem::path& path, EdgeLengthSource length_source,
                           std::vector<std::string>* warnings);
 
-/// A map named on a command line: a path to a file, or the name of a map that ships (`cumberland`).
-/// `maps_dir` is where those stand. Throws InputError that lists the shipped names when there is
-/// none.
+/// A map named on a command line: a path to a file, the name of a map that ships (`cumberland`), or
+/// `random:VERTICES:SEED`. `maps_dir` is where those that ship stand. Throws InputError that lists
+/// them when there is none.
 PatrolGraph LoadMap(const std::string& name_or_path, const std::filesystem::path& maps_dir,
                     EdgeLengthSource length_source, std::vector<std::string>* warnings);
 
-/// Writes a map as node-link JSON that ReadGraphFile reads back to the same graph: one vertex and
-/// one edge a line, `length` only where it is not the distance between the ends. Throws InputError
-/// when the file cannot be written.
+/// The writers: the file appears whole or not at all, and one that is there is replaced. Throw
+/// InputError when it cannot be written.
+
+/// As node-link JSON that ReadGraphFile reads back to the same graph: one vertex and one edge a
+/// line, `length` only where it is not the distance between the ends, `priority` only where not all
+/// are alike.
 void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path);
+
+/// As a `.graph` file: the same edges and `metres_per_px`, positions and lengths (those read with
+/// EdgeLengthSource::kFile) within 1e-12 of the map's extent. What the format cannot hold is
+/// appended to `warnings`, one sentence for each kind.
+void WriteDotGraph(const PatrolGraph& graph, const std::filesystem::path& path,
+                   std::vector<std::string>* warnings);
 
 }  // namespace ronda

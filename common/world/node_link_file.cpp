@@ -17,8 +17,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kSamePoint_m = 1e-3;  // ends closer than this count as one point
-
 /// A value as an error shows it: short, and in printable ASCII.
 std::string Shown(const Json& value) {
   constexpr std::size_t kMaxShown = 60;
@@ -94,6 +92,16 @@ class NodeLinkParser {
     return value.get<double>();
   }
 
+  double Priority(const Json& node, const std::string& element) const {
+    const auto found = node.find("priority");
+    if (found == node.end()) return 1.0;
+    const double priority = found->is_number() ? found->get<double>() : 0.0;
+    if (priority < PatrolGraph::kMinPriority || priority > PatrolGraph::kMaxPriority) {
+      Fail(element + ".priority", "must be a number in 1e-6 … 1e6", *found);
+    }
+    return priority;
+  }
+
   std::string Text(const Json& value, const std::string& element) const {
     if (!value.is_string()) Fail(element, "must be a string", value);
     return value.get<std::string>();
@@ -132,6 +140,7 @@ class NodeLinkParser {
       data_.vertex_ids.push_back(id);
       data_.positions.push_back(
           {FiniteNumber(pos[0], element + ".pos[0]"), FiniteNumber(pos[1], element + ".pos[1]")});
+      data_.priorities.push_back(Priority(nodes[k], element));
     }
   }
 
@@ -183,9 +192,7 @@ class NodeLinkParser {
     if (length_source_ == EdgeLengthSource::kFile) {
       Fail(element, "must have `length`, since lengths are to come from the file");
     }
-    const Position& from = data_.positions[source];
-    const Position& to = data_.positions[target];
-    const double length_m = std::hypot(from.x_m - to.x_m, from.y_m - to.y_m);
+    const double length_m = Distance_m(data_.positions[source], data_.positions[target]);
     if (length_m >= kSamePoint_m) return length_m;
     Warn(
         fmt::format("{}: nodes {} and {} stand on the same point; their edge is taken as 1 mm "

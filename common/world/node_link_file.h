@@ -1,7 +1,8 @@
 #pragma once
-// NetworkX's node-link JSON: `nodes` with `id` (an integer or a string) and `pos` [x, y] in metres,
-// `links` (or `edges`) with `source`, `target` and, if it is not the distance between the ends,
-// `length` in metres; `graph` holds what is known of the whole map. Other attributes are ignored.
+// NetworkX's node-link JSON: `nodes` with `id` (an integer or a string), `pos` [x, y] in metres
+// and, if it is not 1, `priority`; `links` (or `edges`) with `source`, `target` and, if it is not
+// the distance between the ends, `length` in metres; `graph` holds what is known of the whole map.
+// Other attributes are ignored.
 //
 // Errors name the element (`FILE: links[12].target: rule, got VALUE`), or line and column where the
 // file is not JSON. Internal to graph_file. Source: networkx.readwrite.json_graph.node_link_data.

@@ -3,11 +3,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "common/base/error.h"
+#include "common/base/whole_file.h"
 #include "common/world/graph_file.h"
 
 namespace ronda {
@@ -40,9 +39,8 @@ Json AttributesOf(const PatrolGraph& graph) {
 Json LinkOf(const PatrolGraph& graph, const Edge& edge) {
   Json link{{"source", IdOf(graph.vertex_id(edge.source))},
             {"target", IdOf(graph.vertex_id(edge.target))}};
-  const Position& from = graph.positions()[edge.source];
-  const Position& to = graph.positions()[edge.target];
-  const double distance_m = std::hypot(from.x_m - to.x_m, from.y_m - to.y_m);
+  const double distance_m =
+      Distance_m(graph.positions()[edge.source], graph.positions()[edge.target]);
   constexpr double kRounding = 1e-12;  // relative
   if (std::abs(edge.length_m - distance_m) > kRounding * edge.length_m) {
     link["length"] = edge.length_m;
@@ -66,18 +64,18 @@ void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path) 
   std::vector<std::string> nodes;
   for (int vertex = 0; vertex < graph.vertex_count(); ++vertex) {
     const Position& at = graph.positions()[vertex];
-    nodes.push_back(Json{{"id", IdOf(graph.vertex_id(vertex))}, {"pos", {at.x_m, at.y_m}}}.dump());
+    Json node{{"id", IdOf(graph.vertex_id(vertex))}, {"pos", {at.x_m, at.y_m}}};
+    if (!graph.unweighted()) node["priority"] = graph.priorities()[vertex];
+    nodes.push_back(node.dump());
   }
   std::vector<std::string> links;
   for (const Edge& edge : graph.edges()) links.push_back(LinkOf(graph, edge).dump());
 
-  std::ofstream file(path, std::ios::binary);
-  file << fmt::format(
+  const std::string text = fmt::format(
       "{{\n  \"directed\": false,\n  \"multigraph\": false,\n  \"graph\": {{\n    {}\n  }},\n"
       "  \"nodes\": {},\n  \"links\": {}\n}}\n",
       fmt::join(attributes, ",\n    "), Lines(nodes), Lines(links));
-  file.flush();
-  if (!file) throw InputError(fmt::format("{}: cannot be written", path.string()));
+  WriteWholeFile(path, text, Sync::kNo);
 }
 
 }  // namespace ronda

@@ -6,6 +6,7 @@
 // the only one that a user sees. Immutable after construction, so any number of threads may read
 // it. Neighbours of a vertex stand in one flat array (compressed rows): an *arc* is a position in
 // it, so every edge has two arcs. Source: thesis §1.2, §1.3.
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,10 @@ struct Position {
   double x_m = 0.0;
   double y_m = 0.0;
 };
+
+inline double Distance_m(const Position& a, const Position& b) {
+  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+}
 
 struct Edge {
   int source = 0;
@@ -48,6 +53,8 @@ class PatrolGraph {
  public:
   /// Bounds the memory of all-pairs tables (1.2 GB), whatever a file says.
   static constexpr int kMaxVertices = 10000;
+  static constexpr double kMinPriority = 1e-6;
+  static constexpr double kMaxPriority = 1e6;
 
   /// Throws InputError when there are fewer than 2 vertices or more than kMaxVertices, when an edge
   /// is not positive and finite, names no vertex, is a loop or stands twice, when an id stands
@@ -81,6 +88,8 @@ class PatrolGraph {
   /// What a second of idleness counts at each vertex: its priority over their mean, 1 where all are
   /// alike.
   std::span<const double> weights() const { return weights_; }
+  /// (V) as the map gave them; empty where all are alike.
+  const std::vector<double>& priorities() const { return data_.priorities; }
   /// No vertex counts more than another.
   bool unweighted() const { return data_.priorities.empty(); }
   const std::string& source() const { return data_.source; }

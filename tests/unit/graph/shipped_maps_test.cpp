@@ -48,9 +48,9 @@ TEST_CASE("a map is loaded by its shipped name or by its path") {
 
 TEST_CASE("a map's name that is not shipped is an error that lists those that are") {
   CHECK_THROWS_WITH(testing::ShippedMap("gird"),
-                    std::string("a map must be a .graph or .json file or one of the maps in ") +
-                        RONDA_SOURCE_DIR +
-                        "/maps (4nodes, cumberland, grid, milwaukee), got 'gird'");
+                    "a map must be a .graph or .json file, random:VERTICES:SEED or one of the maps "
+                    "in " RONDA_SOURCE_DIR
+                    "/maps (4nodes, cumberland, grid, milwaukee), got 'gird'");
 }
 
 }  // namespace
