@@ -44,10 +44,12 @@ std::string DotGraph(const PatrolGraph& graph) {
   const Extent extent = ExtentOf(graph);
   const double scale_mpp = graph.metres_per_px();
   const auto px = [&](double at_m, double offset_m) { return (at_m - offset_m) / scale_mpp; };
-  std::string text = fmt::format("{}\n{:.0f}\n{:.0f}\n{}\n{}\n{}\n", graph.vertex_count(),
-                                 std::ceil(px(extent.high.x_m, extent.low.x_m)),
-                                 std::ceil(px(extent.high.y_m, extent.low.y_m)), scale_mpp,
-                                 extent.low.x_m, extent.low.y_m);
+  const auto size_px = [&](double high_m, double low_m) {
+    return Px(std::ceil(px(high_m, low_m) - 1e-6));  // rounding adds no pixel
+  };
+  std::string text = fmt::format(
+      "{}\n{}\n{}\n{}\n{}\n{}\n", graph.vertex_count(), size_px(extent.high.x_m, extent.low.x_m),
+      size_px(extent.high.y_m, extent.low.y_m), scale_mpp, extent.low.x_m, extent.low.y_m);
   for (int vertex = 0; vertex < graph.vertex_count(); ++vertex) {
     const Position& at = graph.positions()[vertex];
     fmt::format_to(std::back_inserter(text), "\n{}\n{}\n{}\n{}\n", vertex,
