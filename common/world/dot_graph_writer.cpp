@@ -45,7 +45,7 @@ std::string DotGraph(const PatrolGraph& graph) {
   const double scale_mpp = graph.metres_per_px();
   const auto px = [&](double at_m, double offset_m) { return (at_m - offset_m) / scale_mpp; };
   const auto size_px = [&](double high_m, double low_m) {
-    return Px(std::ceil(px(high_m, low_m) - 1e-6));  // rounding adds no pixel
+    return Px(std::max(0.0, std::ceil(px(high_m, low_m) - 1e-6)));  // rounding adds no pixel
   };
   std::string text = fmt::format(
       "{}\n{}\n{}\n{}\n{}\n{}\n", graph.vertex_count(), size_px(extent.high.x_m, extent.low.x_m),
