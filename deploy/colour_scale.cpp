@@ -36,12 +36,13 @@ double RoundBelow(double value) {
 }
 
 ColourScale::ColourScale(double least, double most) {
-  if (!(least < most)) least = std::min(least, 0.0);
-  if (!(least < most)) most = least + 1.0;
+  constexpr double kNoDifference = 1e-9;
+  if (most - least <= kNoDifference * std::abs(most)) least = std::min(least, 0.0);
+  if (most == least) most = 1.0;  // both 0
   const double step = RoundBelow((most - least) / 3.0);
   const double first = std::floor(least / step);
-  const double last = std::ceil(most / step);
-  for (double k = first; k <= last; k += 1.0) ticks_.push_back(k * step);
+  const double pieces = std::ceil(most / step) - first;
+  for (int k = 0; k <= static_cast<int>(pieces); ++k) ticks_.push_back((first + k) * step);
 }
 
 double ColourScale::Share(double value) const {

@@ -3,26 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <utility>
 
 #include "common/base/error.h"
-#include "common/run/paths.h"
 #include "common/team/policy_strategy.h"
 #include "deploy/find_policy.h"
+#include "deploy/named_map.h"
 
 namespace ronda {
-namespace {
-
-PatrolGraph LoadWithWarnings(const EvaluationArguments& arguments) {
-  std::vector<std::string> warnings;
-  PatrolGraph graph =
-      LoadMap(arguments.map, MapsFolder(), ParseEdgeLengthSource(arguments.length), &warnings);
-  for (const std::string& warning : warnings) fmt::print(stderr, "ronda: warning: {}\n", warning);
-  return graph;
-}
-
-}  // namespace
 
 void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationOptions& options = arguments.options;
@@ -32,9 +20,7 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
         return text.starts_with('-') ? "must be 0 or more, got " + text : std::string();
       },
       "");
-  command
-      .add_option("--map", arguments.map, "a map file (.graph or .json), or a shipped map's name")
-      ->required();
+  command.add_option("--map", arguments.map, kMapHelp)->required();
   command.add_option("--agents", options.agents, "number of robots, 1 … 10000")->required();
   command.add_option("--protocol", arguments.protocol, "steady or thesis")
       ->check(CLI::IsMember({"steady", "thesis"}))
@@ -71,7 +57,9 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {
 }
 
 EvaluationMap::EvaluationMap(const EvaluationArguments& arguments)
-    : graph_(LoadWithWarnings(arguments)), paths_(graph_), walk_(ClosedWalkOf(graph_, paths_)) {}
+    : graph_(LoadNamedMap(arguments.map, arguments.length)),
+      paths_(graph_),
+      walk_(ClosedWalkOf(graph_, paths_)) {}
 
 std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,
                                          const StrategyContext& context) {

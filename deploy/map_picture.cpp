@@ -129,12 +129,6 @@ VertexStyle StyleOf(const PatrolGraph& graph, double gap, ShowIds ids) {
       .radius = std::min(radius, 6.0), .font = std::clamp(0.4 * gap, 6.0, 11.0), .inside = false};
 }
 
-std::optional<ColourScale> ScaleOf(const std::vector<double>& values) {
-  if (values.empty()) return std::nullopt;
-  const auto [least, most] = std::ranges::minmax(values);
-  return ColourScale(least, most);
-}
-
 class MapPicture {
  public:
   MapPicture(const PatrolGraph& graph, const MapColours& colours, ShowIds ids)
@@ -142,9 +136,13 @@ class MapPicture {
         colours_(colours),
         layout_(graph),
         gap_(Gap(graph, layout_.px_per_m())),
-        style_(StyleOf(graph, gap_, ids)),
-        vertex_scale_(ScaleOf(colours.of_vertices)),
-        edge_scale_(ScaleOf(colours.of_edges)) {}
+        style_(StyleOf(graph, gap_, ids)) {
+    if (!colours.of_vertices.empty()) {
+      const auto [least, most] = std::ranges::minmax(colours.of_vertices);
+      vertex_scale_.emplace(least, most);
+    }
+    if (!colours.of_edges.empty()) edge_scale_.emplace(0.0, std::ranges::max(colours.of_edges));
+  }
 
   std::string Draw() {
     Add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
@@ -153,9 +151,10 @@ class MapPicture {
         "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
         layout_.width(), layout_.height(), Escaped(graph_.name()));
     Add("<text x=\"{:.1f}\" y=\"30\" font-size=\"16\" font-weight=\"bold\">{}"
-        "<tspan font-size=\"13\" font-weight=\"normal\" dx=\"10\">{} vertices, {} edges</tspan>"
+        "<tspan font-size=\"13\" font-weight=\"normal\" dx=\"10\">{} vertices, {} edge{}</tspan>"
         "</text>\n",
-        kMargin, Escaped(graph_.name()), graph_.vertex_count(), graph_.edge_count());
+        kMargin, Escaped(graph_.name()), graph_.vertex_count(), graph_.edge_count(),
+        graph_.edge_count() == 1 ? "" : "s");
     DrawEdges();
     DrawVertices();
     DrawScaleBar();

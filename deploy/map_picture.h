@@ -16,7 +16,7 @@ namespace ronda {
 struct MapColours {
   std::string label;                // with its unit, for the legend
   std::vector<double> of_vertices;  // (V) or empty
-  std::vector<double> of_edges;     // (E) or empty; shown as width too
+  std::vector<double> of_edges;  // (E) or empty; ≥ 0, shown as width too: the scale begins at 0
 };
 
 enum class ShowIds { kWhereLegible, kAlways };

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "common/base/error.h"
 #include "common/evaluation/output_file.h"
 #include "common/policies/policy_file.h"
 #include "deploy/find_policy.h"
+#include "deploy/new_file.h"
 #include "deploy/policy_info.h"
 
 namespace ronda {
@@ -27,11 +27,7 @@ void Info(const std::string& policy_name, const std::string& json_path) {
 }
 
 void Extract(const std::string& run, const std::filesystem::path& target, bool force) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(target, ignored))
-    throw UsageError(fmt::format("{}: is a folder; name the file to write", target.string()));
-  if (!force && std::filesystem::exists(std::filesystem::symlink_status(target, ignored)))
-    throw UsageError(fmt::format("{}: is there already; --force replaces it", target.string()));
+  CheckMayWrite(target, force);
   const PolicyFile policy = ReadPolicyFile(FindPolicyFile(run));
   WritePolicyFile(target, policy);
   fmt::print("{}", FormatPolicy(target, ReadPolicyFile(target)));

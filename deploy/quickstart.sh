@@ -23,7 +23,7 @@ build/release/bin/ronda evaluate --map cumberland --agents 10 --policy "$run" --
 
 step "Pictures"
 python3 python/figures.py learning-curve "$run" --out "$run/learning_curve.svg"
-python3 python/figures.py traffic maps/cumberland.json "$run/trace.csv" --out "$run/traffic.svg"
+build/release/bin/ronda map show cumberland --colour traffic --trace "$run/trace.csv" --svg "$run/traffic.svg"
 
 step "Next"
 cat <<END

@@ -8,6 +8,7 @@
 #include "deploy/compare_command.h"
 #include "deploy/config_command.h"
 #include "deploy/evaluate_command.h"
+#include "deploy/map_command.h"
 #include "deploy/policy_command.h"
 #include "deploy/runs_command.h"
 #include "deploy/scale_command.h"
@@ -40,6 +41,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   ronda::AddWatchCommand(app, stop);
   ronda::AddEvaluateCommand(app, stop);
   ronda::AddCompareCommand(app, stop);
+  ronda::AddMapCommand(app);
   ronda::AddPolicyCommand(app);
   ronda::AddConfigCommand(app);
   try {

@@ -9,6 +9,7 @@
 #include "common/base/whole_file.h"
 #include "common/run/duration.h"
 #include "common/run/run_folder.h"
+#include "deploy/named_map.h"
 #include "deploy/run_state.h"
 #include "deploy/train_setup.h"
 #include "deploy/training_run.h"
@@ -55,7 +56,7 @@ void AddTrainCommand(CLI::App& app, std::stop_token stop, int& exit_status) {
   auto arguments = std::make_shared<TrainCommandArguments>();
   CLI::App* command = app.add_subcommand(
       "train", "train a policy: replay, learner and actors as processes of their own");
-  command->add_option("--map", arguments->map, "a map that ships (cumberland), or a file");
+  command->add_option("--map", arguments->map, fmt::format("{} (cumberland)", kMapHelp));
   command->add_option("--agents", arguments->agents, "robots on the map (10)");
   command->add_option("--actors", arguments->actors, "actor processes (one for each core)");
   command->add_option("--algorithm", arguments->algorithm, "dqn");

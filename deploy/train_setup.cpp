@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <thread>
 
 #include "common/base/error.h"
 #include "common/run/duration.h"
-#include "common/run/paths.h"
-#include "common/world/graph_file.h"
+#include "deploy/named_map.h"
 #include "learner/learner_config.h"
 #include "replay/replay_config.h"
 
@@ -88,9 +86,7 @@ TrainSetup::TrainSetup(const TrainArguments& arguments,
 
   run_ = ReadRunConfig(config_);
   actor_ = ReadActorConfig(config_, run_);
-  std::vector<std::string> warnings;
-  graph_.emplace(LoadMap(run_.map, MapsFolder(), ParseEdgeLengthSource(run_.length), &warnings));
-  for (const auto& warning : warnings) fmt::print(stderr, "ronda: warning: {}\n", warning);
+  graph_.emplace(LoadNamedMap(run_.map, run_.length));
   paths_.emplace(*graph_);
   walk_ = ClosedWalkOf(*graph_, *paths_);
   context_ = {.graph = &*graph_, .paths = &*paths_, .closed_walk = &walk_};

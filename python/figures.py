@@ -1,15 +1,12 @@
-"""Figures from what a run has written: a learning curve, and a map with traffic.
+"""Figures from what a run has written: a learning curve.
 
   python3 python/figures.py learning-curve RUN --out FILE.svg
-  python3 python/figures.py traffic MAP.json TRACE.csv --out FILE.svg
 
 Reads files only; never talks to a running cluster. The format follows from the name of the
 output (svg, png, pdf).
 """
 
 import argparse
-import collections
-import csv
 import json
 import pathlib
 
@@ -47,63 +44,15 @@ def draw_learning_curve(run: pathlib.Path, out: pathlib.Path) -> None:
     figure.savefig(out)
 
 
-def draw_traffic(map_file: pathlib.Path, trace: pathlib.Path, out: pathlib.Path) -> None:
-    """The map: wide edges and pale vertices were used most in the trace's first episode."""
-    graph = json.loads(map_file.read_text())
-    positions = {str(node["id"]): node["pos"] for node in graph["nodes"]}
-    traversals, visits = collections.Counter(), collections.Counter()
-    last_vertex, end_s = {}, 0.0
-    with open(trace, encoding="utf-8", newline="") as lines:
-        lines.readline()  # the comment with warm-up, window and map
-        for row in csv.DictReader(lines):
-            if row["episode"] != "0":
-                break
-            if row["event"] == "end":
-                end_s = float(row["time_s"])
-                continue
-            robot, vertex = row["robot"], row["vertex"]
-            visits[vertex] += 1
-            if robot in last_vertex:
-                traversals[frozenset((last_vertex[robot], vertex))] += 1
-            last_vertex[robot] = vertex
-    figure, axes = plt.subplots(figsize=(8, 6))
-    most = max(traversals.values(), default=1)
-    for link in graph.get("links") or graph.get("edges"):
-        ends = str(link["source"]), str(link["target"])
-        used = traversals[frozenset(ends)] / most
-        xs, ys = zip(*(positions[end] for end in ends))
-        axes.plot(xs, ys, color=plt.cm.viridis(1.0 - used), linewidth=1.0 + 6.0 * used, zorder=1,
-                  solid_capstyle="round")
-    xs, ys = zip(*positions.values())
-    interval_s = [end_s / max(visits[vertex], 1) for vertex in positions]
-    dots = axes.scatter(xs, ys, c=interval_s, cmap="magma_r", s=60, edgecolors="black",
-                        linewidths=0.6, zorder=2)
-    figure.colorbar(dots, ax=axes, label="mean time between visits (s)", shrink=0.8)
-    axes.set_aspect("equal")
-    axes.invert_yaxis()  # maps count y downwards, as pictures do
-    axes.set_xlabel("x (m)")
-    axes.set_ylabel("y (m)")
-    axes.set_title("traffic: wide edges are travelled most")
-    figure.tight_layout()
-    figure.savefig(out)
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
     curve = commands.add_parser("learning-curve")
     curve.add_argument("run", type=pathlib.Path)
-    traffic = commands.add_parser("traffic")
-    traffic.add_argument("map", type=pathlib.Path)
-    traffic.add_argument("trace", type=pathlib.Path)
-    for command in (curve, traffic):
-        command.add_argument("--out", type=pathlib.Path, required=True)
+    curve.add_argument("--out", type=pathlib.Path, required=True)
     arguments = parser.parse_args()
-    if arguments.command == "learning-curve":
-        draw_learning_curve(arguments.run, arguments.out)
-    else:
-        draw_traffic(arguments.map, arguments.trace, arguments.out)
+    draw_learning_curve(arguments.run, arguments.out)
     print(f"wrote {arguments.out}")
 
 

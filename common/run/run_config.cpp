@@ -8,7 +8,7 @@ RunConfig ReadRunConfig(Config& config) {
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   constexpr std::int64_t kMany = 1'000'000'000'000;
   RunConfig run;
-  run.map = config.GetString("run.map", "cumberland", {}, "a map that ships, or a file");
+  run.map = config.GetString("run.map", "cumberland", {}, "a map that ships, a file, or random:VERTICES:SEED");
   run.length = config.GetString("run.length", "euclidean", {"euclidean", "file"},
                                 "where edge lengths come from");
   run.agents = static_cast<int>(config.GetInt("run.agents", 10, 1, 10'000, "robots on the map"));
