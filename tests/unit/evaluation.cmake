@@ -3,6 +3,6 @@ ronda_test(evaluation_test
   SOURCES protocol_test.cpp reference_values_test.cpp report_test.cpp statistics_test.cpp trace_reader_test.cpp
   LINKS ronda::evaluation nlohmann_json::nlohmann_json)
 ronda_test(ronda_command_test
-  SOURCES ronda_command_test.cpp policy_command_test.cpp
+  SOURCES ronda_command_test.cpp map_command_test.cpp policy_command_test.cpp
   LINKS ronda::policies nlohmann_json::nlohmann_json)
 add_dependencies(ronda_command_test ronda)
