@@ -19,7 +19,7 @@ struct EvaluateArguments : EvaluationArguments {
 
 void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop) {
   const EvaluationOptions options = ResolveOptions(arguments);
-  const EvaluationMap map(arguments);
+  const EvaluationMap map(arguments, options.conditions);
   const Contestant contestant =
       arguments.policy.empty()
           ? Contestant{.kind = ContestantKind::kStrategy, .name = arguments.strategy}
@@ -42,7 +42,8 @@ void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop
       .contestant = contestant,
       .options = options,
       .result = *std::move(result),
-      .bounds = ComputeLowerBounds(map.graph(), options.agents * options.speed_mps, options.agents),
+      .bounds = ComputeLowerBounds(map.graph(), TotalSpeed_mps(options.conditions, options.agents),
+                                   options.agents),
       .ratio_to_random = std::nullopt};
   if (options.protocol == Protocol::kThesis) {
     const auto random =

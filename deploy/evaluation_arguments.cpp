@@ -9,6 +9,7 @@
 #include "common/base/error.h"
 #include "common/run/paths.h"
 #include "common/team/policy_strategy.h"
+#include "common/world/conditions_text.h"
 #include "deploy/find_policy.h"
 
 namespace ronda {
@@ -46,11 +47,10 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
       ->check(not_negative)
       ->capture_default_str();
-  command.add_option("--speed", options.speed_mps, "of every robot, m/s")->capture_default_str();
-  command
-      .add_option("--noise", options.travel_noise,
-                  "σ of travel times: each takes length/speed · exp(σZ − σ²/2)")
-      ->capture_default_str();
+  for (const ConditionOption& condition : ConditionOptions()) {
+    command.add_option(fmt::format("--{}", condition.name), arguments.conditions[condition.name],
+                       condition.doc);
+  }
   command
       .add_option("--length", arguments.length,
                   "edge lengths: euclidean, or file (the cost column of a .graph file)")
@@ -66,12 +66,17 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {
     throw UsageError("--horizon needs --protocol thesis: the steady window follows from the map");
   }
   options.horizon_s = arguments.horizon_s.value_or(options.horizon_s);
+  for (const auto& [name, text] : arguments.conditions) {
+    if (!text.empty()) SetCondition(options.conditions, name, text);
+  }
   CheckOptions(options);
   return options;
 }
 
-EvaluationMap::EvaluationMap(const EvaluationArguments& arguments)
-    : graph_(LoadWithWarnings(arguments)), paths_(graph_), walk_(ClosedWalkOf(graph_, paths_)) {}
+EvaluationMap::EvaluationMap(const EvaluationArguments& arguments, const Conditions& conditions)
+    : graph_(WithPriorities(LoadWithWarnings(arguments), conditions)),
+      paths_(graph_),
+      walk_(ClosedWalkOf(graph_, paths_)) {}
 
 std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,
                                          const StrategyContext& context) {

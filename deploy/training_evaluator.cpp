@@ -22,8 +22,7 @@ EvaluationOptions OptionsOf(const TrainingEvaluatorConfig& config, int episodes,
   options.episodes = episodes;
   options.seed = seed;
   options.agents = config.agents;
-  options.speed_mps = config.speed_mps;
-  options.travel_noise = config.travel_noise;
+  options.conditions = config.conditions;
   options.threads = threads;
   return options;
 }
@@ -89,8 +88,8 @@ void TrainingEvaluator::State::Run(std::stop_token stop) {
 
 void TrainingEvaluator::State::FindYardstick(std::stop_token stop) {
   Yardstick found;
-  found.bounds =
-      ComputeLowerBounds(*context.graph, config.agents * config.speed_mps, config.agents);
+  found.bounds = ComputeLowerBounds(
+      *context.graph, TotalSpeed_mps(config.conditions, config.agents), config.agents);
   for (const std::string& name : AllStrategyNames()) {
     const auto result = Evaluate(
         context, [&] { return MakeStrategy(name, context); },

@@ -34,7 +34,7 @@ TEST_CASE("The patrol environment conforms, whatever it observes, rewards and su
   const ShortestPaths paths(graph);
   PatrolEnvironment sut(graph, paths,
                         {.agents = where.agents,
-                         .travel_noise = noise,
+                         .conditions = {.travel_noise = noise},
                          .closed_walk_m = ClosedWalkOf(graph, paths).length_m,
                          .episode_length = where.episode_length,
                          .initial_idleness = where.agents == 2 ? 1.5 : 0.0,

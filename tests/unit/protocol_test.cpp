@@ -32,7 +32,8 @@ EvaluationResult Play(const EvaluationMap& map, const std::string& strategy,
 TEST_CASE("Steady: T_ref is the closed walk over the sum of speeds, 20 of it warm up, 60 count") {
   const EvaluationMap map("4nodes");
 
-  const auto result = Play(map, "sebs", {.episodes = 1, .agents = 2, .speed_mps = 0.5});
+  const auto result =
+      Play(map, "sebs", {.episodes = 1, .agents = 2, .conditions = {.speeds_mps = {0.5}}});
 
   CHECK(result.t_ref_s == Approx(130.0));
   CHECK(result.warmup_s == Approx(2600.0));
@@ -49,7 +50,7 @@ TEST_CASE("Thesis: no warm-up, the horizon is the window, final idleness is that
                             .horizon_s = 26.0 + 1e-6,
                             .episodes = 1,
                             .agents = 1,
-                            .speed_mps = 25.0});
+                            .conditions = {.speeds_mps = {25.0}}});
 
   CHECK(result.warmup_s == 0.0);
   CHECK(result.window_s == 26.0 + 1e-6);
@@ -61,7 +62,7 @@ TEST_CASE("Results do not depend on the number of threads") {
   const EvaluationMap map("grid");
   for (const char* strategy : {"random", "cr"}) {
     const EvaluationOptions options{
-        .episodes = 7, .seed = 3, .agents = 3, .travel_noise = 0.1, .threads = 1};
+        .episodes = 7, .seed = 3, .agents = 3, .conditions = {.travel_noise = 0.1}, .threads = 1};
     auto many = options;
     many.threads = 4;
 
@@ -161,8 +162,8 @@ TEST_CASE("AGI, WI and final idleness recomputed from the trace are those report
     CAPTURE(strategy);
     const auto path = folder.path() / (std::string(strategy) + ".csv");
     TraceWriter sut(path, map.graph, "cumberland");
-    const auto result =
-        Play(map, strategy, {.episodes = 2, .agents = 7, .travel_noise = 0.05}, &sut);
+    const auto result = Play(
+        map, strategy, {.episodes = 2, .agents = 7, .conditions = {.travel_noise = 0.05}}, &sut);
     CHECK_FALSE(std::filesystem::exists(path));
     sut.Commit();
 
@@ -198,8 +199,9 @@ class StartsProbe final : public Strategy {
     for (const RobotStart& start : starts) vertices_.push_back(start.vertex);
     return starts;
   }
-  int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& /*rng*/) override {
-    return world.graph().neighbours(arrival.vertex)[0];
+  Knowledge knowledge() const override { return {}; }
+  int Decide(const Belief& belief, Rng& /*rng*/) override {
+    return belief.graph->neighbours(belief.vertex)[0];
   }
   static std::vector<int> vertices_;  // one test uses it, on one thread
 };
@@ -227,7 +229,8 @@ TEST_CASE("Every strategy sees the same starts in the same episode") {
 
 class ThrowingStrategy final : public Strategy {
  public:
-  int Decide(const PatrolWorld& /*world*/, const Arrival& /*arrival*/, Rng& /*rng*/) override {
+  Knowledge knowledge() const override { return {}; }
+  int Decide(const Belief& /*belief*/, Rng& /*rng*/) override {
     throw std::runtime_error("no decision");
   }
 };
@@ -255,9 +258,9 @@ TEST_CASE("Options out of range are refused by name and value") {
   CHECK_THROWS_WITH(CheckOptions({.agents = 0}), "agents must be in 1 … 10000, got 0");
   CHECK_THROWS_AS(CheckOptions({.agents = 10'001}), UsageError);
   CHECK_THROWS_WITH(CheckOptions({.episodes = 0}), Catch::Contains("episodes"));
-  CHECK_THROWS_WITH(CheckOptions({.speed_mps = 0.0}), Catch::Contains("speed"));
-  CHECK_THROWS_WITH(CheckOptions({.speed_mps = kNan}), Catch::Contains("speed"));
-  CHECK_THROWS_WITH(CheckOptions({.travel_noise = -0.1}), Catch::Contains("noise"));
+  CHECK_THROWS_WITH(CheckOptions({.conditions = {.speeds_mps = {0.0}}}), Catch::Contains("speed"));
+  CHECK_THROWS_WITH(CheckOptions({.conditions = {.speeds_mps = {kNan}}}), Catch::Contains("speed"));
+  CHECK_THROWS_WITH(CheckOptions({.conditions = {.travel_noise = -0.1}}), Catch::Contains("noise"));
   CHECK_THROWS_WITH(CheckOptions({.horizon_s = 0.0}), Catch::Contains("horizon"));
 }
 
