@@ -1,6 +1,7 @@
 #include "common/evaluation/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -50,8 +51,11 @@ Json ConditionsAsJson(const Conditions& conditions) {
 }
 
 std::string FormatConditions(const Conditions& conditions) {
-  const std::string label = Label(conditions);
-  return label.empty() ? " at 1 m/s" : fmt::format(", {}", label);
+  Conditions others = conditions;
+  others.speeds_mps = Conditions().speeds_mps;
+  const std::string label = Label(others);
+  return fmt::format("at {:g} m/s{}{}", fmt::join(conditions.speeds_mps, "/"),
+                     label.empty() ? "" : ", ", label);
 }
 
 std::string FormatProtocol(const EvaluationReport& report) {
@@ -111,7 +115,7 @@ std::string FormatEstimate(const Estimate& estimate) {
 
 std::string FormatSetting(const EvaluationReport& report) {
   return fmt::format(
-      "{}, {} robot{}{}\n{}\n{} episode{}, seed {}; mean ± 95 % interval over episodes\n",
+      "{}, {} robot{} {}\n{}\n{} episode{}, seed {}; mean ± 95 % interval over episodes\n",
       report.map, report.options.agents, report.options.agents == 1 ? "" : "s",
       FormatConditions(report.options.conditions), FormatProtocol(report), report.options.episodes,
       report.options.episodes == 1 ? "" : "s", report.options.seed);
