@@ -113,7 +113,8 @@ StepOutcome PatrolEnvironment::Step(int action) {
 }
 
 void PatrolEnvironment::SettleArrival(const Arrival& arrival, bool last_step) {
-  if (pending_[arrival.vertex].agent >= 0) {
+  const bool stayed = world_.previous_vertex(arrival.robot) == arrival.vertex;
+  if (!stayed && pending_[arrival.vertex].agent >= 0) {
     SettlePending(arrival.vertex, arrival.time_s - pending_[arrival.vertex].since_s);
   }
   const Agent& agent = agents_[arrival.robot];
@@ -125,14 +126,16 @@ void PatrolEnvironment::SettleArrival(const Arrival& arrival, bool last_step) {
   for (std::size_t v = 0; v < idleness_s_.size(); ++v) {
     idleness_s_[v] = world_.idleness_s(static_cast<int>(v));
   }
-  idleness_s_[arrival.vertex] = arrival.idleness_s;  // the visit has reset it in the world
+  // The visit has reset it in the world; without the stay it would have grown.
+  idleness_s_[arrival.vertex] =
+      stayed ? world_.graph().weights()[arrival.vertex] * world_.stay_s() : arrival.idleness_s;
   const float reward = Reward(options_.reward,
                               {.travel_s = arrival.time_s - agent.made_s,
                                .vertex = arrival.vertex,
                                .idleness_s = idleness_s_,
                                .last_step = last_step},
                               parameters_);
-  if (!WaitsForNextVisit(options_.reward)) {
+  if (stayed || !WaitsForNextVisit(options_.reward)) {
     settled_.push_back({.agent = arrival.robot, .index = agent.count - 1, .reward = reward});
     return;
   }
