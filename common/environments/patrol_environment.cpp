@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "common/base/check.h"
 #include "common/base/error.h"
@@ -12,7 +11,6 @@
 namespace ronda {
 namespace {
 
-constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kHorizonsToSettle = 5.0;  // after 5 T_d a next visit changes a reward by < 0.7 %
 
 void Require(bool holds, const char* name, const char* rule, double value) {
@@ -86,7 +84,7 @@ void PatrolEnvironment::Reset(const Rng& rng) {
   pending_.assign(pending_.size(), Pending{});
   settled_.clear();
   state_ = EpisodeState::kRunning;
-  const auto arrival = world_.NextArrival(kForever);
+  const auto arrival = world_.NextArrival(kNever_s);
   MakeDecision(*arrival);
 }
 
@@ -100,14 +98,14 @@ StepOutcome PatrolEnvironment::Step(int action) {
   world_.Depart(robot, encoder_.NextVertex(world_.target(robot), action));
   beliefs_.Departed(world_, robot);
 
-  const auto arrival = world_.NextArrival(kForever);
+  const auto arrival = world_.NextArrival(kNever_s);
   const bool last_step = arrival->time_s >= episode_s_;
   SettleLate(arrival->time_s);
   SettleArrival(*arrival, last_step);
   MakeDecision(*arrival);
   if (last_step) {
     state_ = EpisodeState::kCut;
-    SettleLate(kForever);
+    SettleLate(kNever_s);
   }
   return {.state = state_, .settled = settled_};
 }
@@ -149,7 +147,7 @@ void PatrolEnvironment::SettleArrival(const Arrival& arrival, bool last_step) {
 void PatrolEnvironment::SettleLate(double now_s) {
   for (std::size_t vertex = 0; vertex < pending_.size(); ++vertex) {
     if (pending_[vertex].agent >= 0 && now_s - pending_[vertex].since_s > settle_within_s_) {
-      SettlePending(static_cast<int>(vertex), kForever);
+      SettlePending(static_cast<int>(vertex), kNever_s);
     }
   }
 }

@@ -99,6 +99,11 @@ Json ReportAsJsonValue(const EvaluationReport& report) {
   return json;
 }
 
+LowerBounds BoundsOf(const PatrolGraph& graph, const EvaluationOptions& options) {
+  return ComputeLowerBounds(graph, TotalSpeed_mps(options.conditions, options.agents),
+                            options.agents);
+}
+
 std::string ReportAsJson(const EvaluationReport& report) {
   return ReportAsJsonValue(report).dump(2, ' ', false, Json::error_handler_t::replace);
 }

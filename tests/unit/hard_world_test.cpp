@@ -9,7 +9,6 @@
 namespace ronda {
 namespace {
 
-using testing::GraphOf;
 using testing::Path;
 using testing::StandingOn;
 using testing::Star;
