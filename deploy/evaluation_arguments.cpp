@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "common/team/policy_strategy.h"
+#include "common/world/conditions_text.h"
 #include "deploy/find_policy.h"
 #include "deploy/named_map.h"
 
@@ -32,11 +33,10 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
       ->check(not_negative)
       ->capture_default_str();
-  command.add_option("--speed", options.speed_mps, "of every robot, m/s")->capture_default_str();
-  command
-      .add_option("--noise", options.travel_noise,
-                  "σ of travel times: each takes length/speed · exp(σZ − σ²/2)")
-      ->capture_default_str();
+  for (const ConditionOption& condition : ConditionOptions()) {
+    command.add_option(fmt::format("--{}", condition.name), arguments.conditions[condition.name],
+                       condition.doc);
+  }
   command
       .add_option("--length", arguments.length,
                   "edge lengths: euclidean, or file (the cost column of a .graph file)")
@@ -52,12 +52,15 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {
     throw UsageError("--horizon needs --protocol thesis: the steady window follows from the map");
   }
   options.horizon_s = arguments.horizon_s.value_or(options.horizon_s);
+  for (const auto& [name, text] : arguments.conditions) {
+    if (!text.empty()) SetCondition(options.conditions, name, text);
+  }
   CheckOptions(options);
   return options;
 }
 
-EvaluationMap::EvaluationMap(const EvaluationArguments& arguments)
-    : graph_(LoadNamedMap(arguments.map, arguments.length)),
+EvaluationMap::EvaluationMap(const EvaluationArguments& arguments, const Conditions& conditions)
+    : graph_(WithPriorities(LoadNamedMap(arguments.map, arguments.length), conditions)),
       paths_(graph_),
       walk_(ClosedWalkOf(graph_, paths_)) {}
 

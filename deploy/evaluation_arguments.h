@@ -4,6 +4,7 @@
 //
 // Errors: UsageError for options out of range, InputError for maps and policies. Warnings of the
 // map reader go to stderr.
+#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -22,9 +23,10 @@ struct EvaluationArguments {
   std::string map;
   std::string protocol = "steady";
   std::string length = "euclidean";
-  std::string json_path;            // empty: none
-  std::optional<double> horizon_s;  // only where given
-  EvaluationOptions options;        // protocol and horizon are set by ResolveOptions
+  std::string json_path;                          // empty: none
+  std::optional<double> horizon_s;                // only where given
+  std::map<std::string, std::string> conditions;  // text by ConditionOption::name; empty: none
+  EvaluationOptions options;  // protocol, horizon and conditions are set by ResolveOptions
 };
 
 /// Adds the shared options to a subcommand; `arguments` must live as long as it.
@@ -36,7 +38,8 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments);
 /// A map and what follows from it, made once. Not movable: its context points into it.
 class EvaluationMap {
  public:
-  explicit EvaluationMap(const EvaluationArguments& arguments);
+  /// With the conditions' priorities.
+  EvaluationMap(const EvaluationArguments& arguments, const Conditions& conditions);
   EvaluationMap(const EvaluationMap&) = delete;
   EvaluationMap& operator=(const EvaluationMap&) = delete;
 

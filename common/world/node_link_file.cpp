@@ -96,7 +96,7 @@ class NodeLinkParser {
     const auto found = node.find("priority");
     if (found == node.end()) return 1.0;
     const double priority = found->is_number() ? found->get<double>() : 0.0;
-    if (priority < PatrolGraph::kMinPriority || priority > PatrolGraph::kMaxPriority) {
+    if (!IsPriority(priority)) {
       Fail(element + ".priority", "must be a number in 1e-6 … 1e6", *found);
     }
     return priority;

@@ -49,12 +49,13 @@ struct GraphData {
   std::optional<ClosedWalk> shortest_closed_walk = {};
 };
 
+/// What a vertex's priority may be: in 1e-6 … 1e6.
+inline bool IsPriority(double value) { return value >= 1e-6 && value <= 1e6; }
+
 class PatrolGraph {
  public:
   /// Bounds the memory of all-pairs tables (1.2 GB), whatever a file says.
   static constexpr int kMaxVertices = 10000;
-  static constexpr double kMinPriority = 1e-6;
-  static constexpr double kMaxPriority = 1e6;
 
   /// Throws InputError when there are fewer than 2 vertices or more than kMaxVertices, when an edge
   /// is not positive and finite, names no vertex, is a loop or stands twice, when an id stands
@@ -62,6 +63,8 @@ class PatrolGraph {
   /// the closed walk is none; the message names the element.
   explicit PatrolGraph(GraphData data);
 
+  /// What it was made of.
+  const GraphData& data() const { return data_; }
   const std::string& name() const { return data_.name; }
   int vertex_count() const { return static_cast<int>(data_.positions.size()); }
   int edge_count() const { return static_cast<int>(data_.edges.size()); }
