@@ -2,7 +2,9 @@
 // How a team used each place of a map: what a picture of it shows.
 //
 // Measured from a trace over its window (warm-up left out), all episodes and robots together. The
-// mean over vertices of `mean_idleness_s` is the evaluation's AGI. Errors as TraceReader.
+// mean over vertices of `mean_idleness_s` is the evaluation's AGI where no vertex has a priority:
+// idleness is not weighted here. (A stay that a failure or the end cuts is not in the trace; its
+// vertex counts as left.) O(visits of one episode) memory. Errors as TraceReader.
 #include <vector>
 
 #include "common/evaluation/trace_reader.h"

@@ -76,6 +76,7 @@ class TraceReader::Rows {
                      .kind = Kind(kind)};
     if (event.kind == TraceEventKind::kEnd) return event;
     event.robot = Integer("robot", robot);
+    if (event.kind == TraceEventKind::kFail) return event;
     const auto found = vertex_of_.find(vertex);
     if (found == vertex_of_.end()) FailQuoted("vertex must be an id of the map's vertices", vertex);
     event.vertex = found->second;
@@ -128,8 +129,10 @@ class TraceReader::Rows {
   TraceEventKind Kind(std::string_view text) const {
     if (text == "start") return TraceEventKind::kStart;
     if (text == "visit") return TraceEventKind::kVisit;
-    if (text != "end") FailQuoted("event must be start, visit or end", text);
-    return TraceEventKind::kEnd;
+    if (text == "join") return TraceEventKind::kJoin;
+    if (text == "fail") return TraceEventKind::kFail;
+    if (text == "end") return TraceEventKind::kEnd;
+    FailQuoted("event must be start, visit, join, fail or end", text);
   }
 
   std::string path_;
@@ -169,9 +172,9 @@ void TraceReader::CheckHeader(const std::string& line, const PatrolGraph& graph,
 }
 
 std::optional<TraceEvent> TraceReader::Next() {
-  const std::optional<TraceEvent> event = rows_->Next();
+  std::optional<TraceEvent> event = rows_->Next();
   if (!event) {
-    if (episode_ == 0 || !at_.empty()) {
+    if (episode_ == 0 || !on_patrol_.empty()) {
       rows_->Fail(fmt::format("the end of episode {} must follow", episode_), "the file's end");
     }
     return std::nullopt;
@@ -184,49 +187,80 @@ std::optional<TraceEvent> TraceReader::Next() {
                 fmt::to_string(event->time_s));
   }
   time_s_ = event->time_s;
-  if (event->kind == TraceEventKind::kStart) CheckStart(*event);
-  if (event->kind == TraceEventKind::kVisit) CheckVisit(*event);
-  if (event->kind == TraceEventKind::kEnd) CheckEnd(*event);
+  switch (event->kind) {
+    case TraceEventKind::kStart:
+      CheckStart(*event);
+      break;
+    case TraceEventKind::kVisit:
+      CheckVisit(*event);
+      break;
+    case TraceEventKind::kJoin:
+      CheckJoin(*event);
+      break;
+    case TraceEventKind::kFail:
+      CheckFail(*event);
+      break;
+    case TraceEventKind::kEnd:
+      CheckEnd(*event);
+      break;
+  }
   return event;
 }
 
 void TraceReader::CheckStart(const TraceEvent& event) {
-  if (has_visits_ || event.time_s != 0.0) {
-    rows_->Fail("a start must be at time 0, before all visits", fmt::to_string(event.time_s));
+  if (has_started_ || event.time_s != 0.0) {
+    rows_->Fail("a start must be at time 0, before all other events", fmt::to_string(event.time_s));
   }
-  if (event.robot != static_cast<int>(at_.size())) {
-    rows_->Fail(fmt::format("robot must be {}, the next to start", at_.size()),
-                std::to_string(event.robot));
+  if (!on_patrol_.empty() && event.robot <= on_patrol_.rbegin()->first) {
+    rows_->Fail(
+        fmt::format("robot must be above {}, the last to start", on_patrol_.rbegin()->first),
+        std::to_string(event.robot));
   }
-  at_.push_back(event.vertex);
+  on_patrol_[event.robot] = {.vertex = event.vertex, .time_s = 0.0};
 }
 
-void TraceReader::CheckVisit(const TraceEvent& event) {
-  has_visits_ = true;
-  if (event.robot >= static_cast<int>(at_.size())) {
-    rows_->Fail(fmt::format("robot must be one of the {} that started", at_.size()),
-                std::to_string(event.robot));
+void TraceReader::CheckVisit(TraceEvent& event) {
+  has_started_ = true;
+  const auto robot = on_patrol_.find(event.robot);
+  if (robot == on_patrol_.end()) {
+    rows_->Fail("the robot of a visit must be on patrol", std::to_string(event.robot));
   }
-  const int from = at_[event.robot];
-  if (!std::ranges::binary_search(graph_->neighbours(from), event.vertex)) {
-    rows_->FailQuoted(fmt::format("vertex must be a neighbour of '{}', where robot {} was",
+  event.before = std::exchange(robot->second, {.vertex = event.vertex, .time_s = event.time_s});
+  const int from = event.before.vertex;
+  if (event.vertex != from && !std::ranges::binary_search(graph_->neighbours(from), event.vertex)) {
+    rows_->FailQuoted(fmt::format("vertex must be '{}', where robot {} was, or a neighbour of it",
                                   graph_->vertex_id(from), event.robot),
                       graph_->vertex_id(event.vertex));
   }
-  at_[event.robot] = event.vertex;
+}
+
+void TraceReader::CheckJoin(const TraceEvent& event) {
+  has_started_ = true;
+  const LastSeen there{.vertex = event.vertex, .time_s = event.time_s};
+  if (!on_patrol_.emplace(event.robot, there).second) {
+    rows_->Fail("the robot of a join must not be on patrol", std::to_string(event.robot));
+  }
+}
+
+void TraceReader::CheckFail(const TraceEvent& event) {
+  has_started_ = true;
+  if (on_patrol_.erase(event.robot) == 0 || on_patrol_.empty()) {
+    rows_->Fail("the robot of a fail must be on patrol, and not the last one",
+                std::to_string(event.robot));
+  }
 }
 
 void TraceReader::CheckEnd(const TraceEvent& event) {
   constexpr double kRounding_s = 1e-6;
-  if (at_.empty()) rows_->Fail("an episode must begin with starts", "its end");
+  if (on_patrol_.empty()) rows_->Fail("an episode must begin with starts", "its end");
   if (std::abs(event.time_s - warmup_s_ - window_s_) > kRounding_s) {
     rows_->Fail(fmt::format("the end must be at {} s, warm-up plus window", warmup_s_ + window_s_),
                 fmt::to_string(event.time_s));
   }
   ++episode_;
   time_s_ = 0.0;
-  at_.clear();
-  has_visits_ = false;
+  on_patrol_.clear();
+  has_started_ = false;
 }
 
 }  // namespace ronda

@@ -1,12 +1,14 @@
 #pragma once
 // Reads what TraceWriter writes, event by event, and trusts none of it.
 //
-// What comes out fits the graph: episodes 0, 1, …, each with its starts at time 0 (robots 0, 1, …),
-// visits by ascending time, each one edge from where its robot was, and its end at warm-up plus
-// window. Anything else, a trace of another map included, throws InputError with file, line, rule
-// and value. (An id with a line end in it is refused.) 48 MB; a second for some million events.
-// Thread-compatible.
+// What comes out fits the graph: episodes 0, 1, …, each with its starts at time 0 (by ascending
+// robot); then visits, failures and joinings by ascending time, each visit one edge from where its
+// robot was or there again, each failure of one that is on patrol and not the last, each joining of
+// one that is not; and the end at warm-up plus window. Anything else, a trace of another map
+// included, throws InputError with file, line, rule and value. (An id with a line end in it is
+// refused.) 48 MB; a second for some million events. Thread-compatible.
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,14 +17,21 @@
 
 namespace ronda {
 
-enum class TraceEventKind { kStart, kVisit, kEnd };
+enum class TraceEventKind { kStart, kVisit, kJoin, kFail, kEnd };
+
+/// Where a robot was at its last event, and when that was.
+struct LastSeen {
+  int vertex = -1;
+  double time_s = 0.0;
+};
 
 struct TraceEvent {
   int episode = 0;
   double time_s = 0.0;  // since the episode's start
   int robot = 0;        // −1 for kEnd
-  int vertex = 0;       // −1 for kEnd
+  int vertex = 0;       // −1 for kFail and kEnd
   TraceEventKind kind = TraceEventKind::kEnd;
+  LastSeen before = {};  // kVisit: of this robot
 };
 
 class TraceReader {
@@ -45,7 +54,9 @@ class TraceReader {
 
   void CheckHeader(const std::string& line, const PatrolGraph& graph, const std::string& map);
   void CheckStart(const TraceEvent& event);
-  void CheckVisit(const TraceEvent& event);
+  void CheckVisit(TraceEvent& event);
+  void CheckJoin(const TraceEvent& event);
+  void CheckFail(const TraceEvent& event);
   void CheckEnd(const TraceEvent& event);
 
   const PatrolGraph* graph_;
@@ -54,8 +65,8 @@ class TraceReader {
   double window_s_ = 0.0;
   int episode_ = 0;
   double time_s_ = 0.0;
-  std::vector<int> at_;  // (N) of this episode: where each robot was last; empty before its starts
-  bool has_visits_ = false;
+  std::map<int, LastSeen> on_patrol_;  // by robot; empty before an episode's starts
+  bool has_started_ = false;           // an event after the episode's starts has come
 };
 
 }  // namespace ronda

@@ -67,14 +67,37 @@ TEST_CASE("Idleness and traffic are means over episodes, and each begins afresh"
   CHECK(sut.traversals_per_hour[1] == Approx(90.0));
 }
 
+TEST_CASE("A vertex where a robot stays is not idle, and who joins and fails is followed") {
+  const MapUsage sut = UsageOf(kHead +
+                               "0,0,0,0,start\n"
+                               "0,12,0,1,visit\n"
+                               "0,14,3,0,join\n"
+                               "0,14,3,0,visit\n"
+                               "0,16,3,1,visit\n"  // in the stay of robot 0, which ends at 22
+                               "0,20,3,-1,fail\n"
+                               "0,22,0,1,visit\n"
+                               "0,24,3,0,join\n"  // on an edge: no visit
+                               "0,27,3,2,visit\n"
+                               "0,30,-1,-1,end\n");
+  // 0: 10 … 14 s, then 0 … 16 s. 1: 10 … 12 s, then none, then 0 … 8 s. 2: 10 … 27 s, then 0 … 3 s.
+  CHECK(sut.mean_idleness_s[0] == Approx((48.0 + 128.0) / 20.0));
+  CHECK(sut.mean_idleness_s[1] == Approx((22.0 + 32.0) / 20.0));
+  CHECK(sut.mean_idleness_s[2] == Approx((314.5 + 4.5) / 20.0));
+  CHECK(sut.traversals_per_hour == std::vector<double>{2 * 180.0, 180.0, 0.0, 0.0, 0.0});
+}
+
 TEST_CASE("The mean of the idleness in a trace is the AGI that the evaluation reports") {
   const std::string strategy = GENERATE("cr", "cyclic");  // cyclic: robots start on edges
+  const Attrition attrition =
+      GENERATE(Attrition{}, Attrition{.changes = {{.time_s = 50.0, .robot = 2, .joins = true},
+                                                  {.time_s = 900.0, .robot = 6}}});
   const testing::EvaluationMap map("cumberland");
   const TemporaryFolder folder;
   TraceWriter writer(folder / "t.csv", map.graph, "cumberland");
   const auto make = [&] { return MakeStrategy(strategy, map.context()); };
-  const auto result =
-      Evaluate(map.context(), make, {.episodes = 3, .agents = 7, .travel_noise = 0.05}, &writer);
+  const EvaluationOptions options{
+      .episodes = 3, .agents = 7, .conditions = {.travel_noise = 0.05, .attrition = attrition}};
+  const auto result = Evaluate(map.context(), make, options, &writer);
   writer.Commit();
   REQUIRE(result);
 
@@ -85,6 +108,7 @@ TEST_CASE("The mean of the idleness in a trace is the AGI that the evaluation re
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   };
   CHECK(mean(sut.mean_idleness_s) == Approx(mean(result->agi_s())).epsilon(1e-6));
+  if (attrition != Attrition{}) return;
   // Seven robots at 1 m/s, up to the noise and to what is cut at both ends of the window.
   double metres_per_hour = 0.0;
   for (int e = 0; e < map.graph.edge_count(); ++e) {
@@ -98,7 +122,7 @@ TEST_CASE("Ids with commas and quotes go through a trace and back") {
   const TemporaryFolder folder;
   TraceWriter writer(folder / "t.csv", graph, "4nodes");
   writer.Begin(0.0, 5.0);
-  writer.Starts(0, std::vector<RobotStart>{{.vertex = 0}});
+  writer.Event(0, 0.0, 0, 0, "start");
   writer.End(0, 5.0);
   writer.Commit();
 
@@ -139,14 +163,23 @@ TEST_CASE("An error in a trace names file, line, rule and value") {
        "t.csv:4: time_s must be a finite number of at least 0, got \"nan\""},
       {start + "0,1,-2,1,visit\n", "t.csv:4: robot must be an integer of at least 0, got \"-2\""},
       {start + "0,1,0,9,visit\n", "t.csv:4: vertex must be an id of the map's vertices, got \"9\""},
-      {start + "0,1,0,1,pause\n", "t.csv:4: event must be start, visit or end, got \"pause\""},
-      {start + "0,1,1,1,visit\n", "t.csv:4: robot must be one of the 1 that started, got 1"},
+      {start + "0,1,0,1,pause\n",
+       "t.csv:4: event must be start, visit, join, fail or end, got \"pause\""},
+      {start + "0,1,1,1,visit\n", "t.csv:4: the robot of a visit must be on patrol, got 1"},
       {start + "0,1,0,2,visit\n0,2,0,1,visit\n",
-       "t.csv:5: vertex must be a neighbour of '2', where robot 0 was, got \"1\""},
+       "t.csv:5: vertex must be '2', where robot 0 was, or a neighbour of it, got \"1\""},
       {start + "0,2,0,1,visit\n0,1,0,0,visit\n",
        "t.csv:5: time_s must be at least the 2 before it, got 1"},
-      {start + "0,0,2,1,start\n", "t.csv:4: robot must be 1, the next to start, got 2"},
-      {start + "0,1,1,1,start\n", "t.csv:4: a start must be at time 0, before all visits, got 1"},
+      {start + "0,0,0,1,start\n", "t.csv:4: robot must be above 0, the last to start, got 0"},
+      {start + "0,1,1,1,start\n",
+       "t.csv:4: a start must be at time 0, before all other events, got 1"},
+      {start + "0,1,0,1,join\n", "t.csv:4: the robot of a join must not be on patrol, got 0"},
+      {start + "0,1,0,-1,fail\n",
+       "t.csv:4: the robot of a fail must be on patrol, and not the last one, got 0"},
+      {start + "0,1,7,-1,fail\n",
+       "t.csv:4: the robot of a fail must be on patrol, and not the last one, got 7"},
+      {start + "0,1,1,1,join\n0,2,0,-1,fail\n0,3,0,1,visit\n",
+       "t.csv:6: the robot of a visit must be on patrol, got 0"},
       {start + "0,29,-1,-1,end\n", "t.csv:4: the end must be at 30 s, warm-up plus window, got 29"},
       {kHead + "0,30,-1,-1,end\n", "t.csv:3: an episode must begin with starts, got its end"},
   }));
