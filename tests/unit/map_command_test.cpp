@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "common/base/whole_file.h"
 #include "tests/temporary_folder.h"
@@ -14,11 +16,21 @@ namespace {
 
 using Catch::Contains;
 using testing::Ronda;
+using testing::Shell;
 
 const std::string kGrid = RONDA_SOURCE_DIR "/maps/grid.json";
 
 nlohmann::json Json(const std::filesystem::path& path) {
   return nlohmann::json::parse(ReadWholeFile(path));
+}
+
+/// Each link as its two ends, ascending: NetworkX may turn them round.
+std::set<std::pair<int, int>> LinksOf(const std::filesystem::path& path) {
+  std::set<std::pair<int, int>> links;
+  for (const auto& link : Json(path)["links"]) {
+    links.insert(std::minmax<int>({link["source"], link["target"]}));
+  }
+  return links;
 }
 
 bool IsEmpty(const TemporaryFolder& folder) { return std::filesystem::is_empty(folder.path()); }
@@ -101,6 +113,30 @@ TEST_CASE("map convert goes to .graph and back, and says what is lost") {
   CHECK(Ronda("map convert --length file " + dot + " " + json).status == 0);
   CHECK(Json(json)["links"] == Json(kGrid)["links"]);
   CHECK(Json(json)["graph"]["metres_per_px"] == 0.075);
+}
+
+TEST_CASE("NetworkX opens what map convert writes, and what it writes gives the same map") {
+  const TemporaryFolder folder;
+  const std::string map = GENERATE("4nodes", "cumberland", "random:60:3");
+  const std::string ours = (folder / "m.json").string();
+  const std::string theirs = (folder / "nx.json").string();
+  const std::string back = (folder / "back.json").string();
+  REQUIRE(Ronda("map convert " + map + " " + ours).status == 0);
+
+  const auto opened =
+      Shell("/usr/bin/python3 " RONDA_SOURCE_DIR "/tests/unit/networkx_round_trip.py " + ours +
+            " " + theirs);
+
+  CAPTURE(opened.output);
+  REQUIRE(opened.status == 0);
+  const auto json = Json(ours);
+  CHECK_THAT(opened.output,
+             Contains("Graph, " + std::to_string(json["nodes"].size()) + " nodes, " +
+                      std::to_string(json["links"].size()) + " edges, connected: True"));
+  CHECK(Ronda("map convert " + theirs + " " + back).status == 0);
+  CHECK(Json(back)["nodes"] == json["nodes"]);
+  CHECK(LinksOf(back) == LinksOf(ours));
+  CHECK(Json(back)["graph"] == json["graph"]);
 }
 
 TEST_CASE("map convert and map random replace nothing unasked") {

@@ -1,5 +1,5 @@
 #pragma once
-// `ronda` run to its end by a test, with how it ended and what it printed.
+// `ronda`, or any program, run to its end by a test, with how it ended and what it printed.
 #include <sys/wait.h>
 
 #include <array>
@@ -14,10 +14,8 @@ struct CommandResult {
   std::string output;  // stdout and stderr
 };
 
-/// `environment`: assignments as a shell writes them.
-inline CommandResult Ronda(const std::string& arguments, const std::string& environment = "") {
-  const std::string command = environment + " " RONDA_BIN_DIR "/ronda " + arguments + " 2>&1";
-  FILE* const pipe = ::popen(command.c_str(), "r");
+inline CommandResult Shell(const std::string& command) {
+  FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
   REQUIRE(pipe != nullptr);
   CommandResult result{};
   std::array<char, 4096> buffer{};
@@ -26,6 +24,11 @@ inline CommandResult Ronda(const std::string& arguments, const std::string& envi
   }
   result.status = WEXITSTATUS(::pclose(pipe));
   return result;
+}
+
+/// `environment`: assignments as a shell writes them.
+inline CommandResult Ronda(const std::string& arguments, const std::string& environment = "") {
+  return Shell(environment + " " RONDA_BIN_DIR "/ronda " + arguments);
 }
 
 }  // namespace ronda::testing
