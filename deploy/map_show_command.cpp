@@ -12,6 +12,7 @@
 #include "common/evaluation/output_file.h"
 #include "deploy/map_picture.h"
 #include "deploy/named_map.h"
+#include "deploy/new_file.h"
 
 namespace ronda {
 namespace {
@@ -22,6 +23,7 @@ struct ShowArguments {
   std::string colour = "plain";
   std::string trace_path;  // empty: none
   bool ids = false;
+  bool force = false;
 
   bool needs_trace() const { return colour == "idleness" || colour == "traffic"; }
 };
@@ -52,6 +54,7 @@ void Show(const ShowArguments& arguments) {
         "--trace and --colour idleness or traffic go together; write a trace with "
         "ronda evaluate --trace FILE");
   }
+  CheckMayWrite(arguments.svg_path, arguments.force);
   OutputFile svg(arguments.svg_path);
   const PatrolGraph graph = LoadNamedMap(arguments.map, "euclidean");
   svg.Write(DrawMap(graph, ColoursOf(graph, arguments),
@@ -76,6 +79,7 @@ void AddMapShowCommand(CLI::App& map) {
   command->add_option("--trace", arguments->trace_path,
                       "idleness and traffic: what ronda evaluate --trace wrote");
   command->add_flag("--ids", arguments->ids, "ids also where they are too dense to read");
+  command->add_flag("--force", arguments->force, "replace a file that is there");
   command->footer(
       "Example:\n"
       "  ronda evaluate --map cumberland --agents 10 --strategy sebs --trace trace.csv\n"

@@ -23,7 +23,7 @@ build/release/bin/ronda evaluate --map cumberland --agents 10 --policy "$run" --
 
 step "Pictures"
 python3 python/figures.py learning-curve "$run" --out "$run/learning_curve.svg"
-build/release/bin/ronda map show cumberland --colour traffic --trace "$run/trace.csv" --svg "$run/traffic.svg"
+build/release/bin/ronda map show cumberland --colour traffic --trace "$run/trace.csv" --svg "$run/traffic.svg" --force
 
 step "Next"
 cat <<END
