@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "common/evaluation/protocol.h"
+#include "common/evaluation/report.h"
 #include "common/run/log.h"
 #include "common/team/policy_strategy.h"
 
@@ -87,13 +88,12 @@ void TrainingEvaluator::State::Run(std::stop_token stop) {
 }
 
 void TrainingEvaluator::State::FindYardstick(std::stop_token stop) {
+  const EvaluationOptions options = OptionsOf(config, kReportedEpisodes, kReportedSeed, 1);
   Yardstick found;
-  found.bounds = ComputeLowerBounds(
-      *context.graph, TotalSpeed_mps(config.conditions, config.agents), config.agents);
+  found.bounds = BoundsOf(*context.graph, options);
   for (const std::string& name : AllStrategyNames()) {
     const auto result = Evaluate(
-        context, [&] { return MakeStrategy(name, context); },
-        OptionsOf(config, kReportedEpisodes, kReportedSeed, 1), nullptr, stop);
+        context, [&] { return MakeStrategy(name, context); }, options, nullptr, stop);
     if (!result) return;
     const Estimate agi_s = MeanWithInterval(result->agi_s());
     if (found.strategy.empty() || agi_s.mean < found.agi_s.mean) {

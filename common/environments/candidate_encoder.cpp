@@ -136,7 +136,8 @@ CandidateEncoder::Scan CandidateEncoder::ScanVertices(int arc, int candidate,
           .largest = largest};
 }
 
-void CandidateEncoder::EncodeCandidate(const Belief& belief, int k, float* features) const {
+void CandidateEncoder::EncodeCandidate(const Belief& belief, int k, int team_size,
+                                       float* features) const {
   const int vertex = belief.vertex;
   const int candidate = NextVertex(vertex, k);
   const bool stays = candidate == vertex;
@@ -146,7 +147,7 @@ void CandidateEncoder::EncodeCandidate(const Belief& belief, int k, float* featu
   const float w = static_cast<float>(length_m / graph_->mean_edge_length_m());
   const float m = mean_idleness_;
   const float weight = static_cast<float>(graph_->weights()[candidate]);
-  const float robots = static_cast<float>(belief.team_size());
+  const float robots = static_cast<float>(team_size);
   const float vertices = static_cast<float>(graph_->vertex_count());
 
   float claimed = 0.0f;
@@ -205,10 +206,11 @@ void CandidateEncoder::Encode(const Belief& belief, std::span<float> observation
   team_.Observe(belief);
   ObserveIdleness(belief);
   const int candidates = graph_->degree(belief.vertex) + (stay_ && belief.stay_s > 0.0 ? 1 : 0);
+  const int team_size = belief.team_size();
   float sum = 0.0f;
   for (int k = 0; k < candidates; ++k) {
     float* const features = &observation[static_cast<std::size_t>(k) * kFeatures];
-    EncodeCandidate(belief, k, features);
+    EncodeCandidate(belief, k, team_size, features);
     sum += features[kShareOfSum];
   }
   for (int k = 0; k < candidates; ++k) {

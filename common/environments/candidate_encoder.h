@@ -80,7 +80,7 @@ class CandidateEncoder {
 
   void ObserveIdleness(const Belief& belief);
   Scan ScanVertices(int arc, int candidate, float distance) const;
-  void EncodeCandidate(const Belief& belief, int k, float* features) const;
+  void EncodeCandidate(const Belief& belief, int k, int team_size, float* features) const;
 
   const PatrolGraph* graph_;
   bool stay_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "common/base/check.h"
 #include "common/base/error.h"
@@ -12,7 +11,6 @@
 namespace ronda {
 namespace {
 
-constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kHorizonsToSettle = 5.0;  // after 5 T_d a next visit changes a reward by < 0.7 %
 
 void Require(bool holds, const char* name, const char* rule, double value) {
@@ -86,7 +84,7 @@ void PatrolEnvironment::Reset(const Rng& rng) {
   pending_.assign(pending_.size(), Pending{});
   settled_.clear();
   state_ = EpisodeState::kRunning;
-  const auto arrival = world_.NextArrival(kForever);
+  const auto arrival = world_.NextArrival(kNever_s);
   MakeDecision(*arrival);
 }
 
@@ -100,20 +98,21 @@ StepOutcome PatrolEnvironment::Step(int action) {
   world_.Depart(robot, encoder_.NextVertex(world_.target(robot), action));
   beliefs_.Departed(world_, robot);
 
-  const auto arrival = world_.NextArrival(kForever);
+  const auto arrival = world_.NextArrival(kNever_s);
   const bool last_step = arrival->time_s >= episode_s_;
   SettleLate(arrival->time_s);
   SettleArrival(*arrival, last_step);
   MakeDecision(*arrival);
   if (last_step) {
     state_ = EpisodeState::kCut;
-    SettleLate(kForever);
+    SettleLate(kNever_s);
   }
   return {.state = state_, .settled = settled_};
 }
 
 void PatrolEnvironment::SettleArrival(const Arrival& arrival, bool last_step) {
-  if (pending_[arrival.vertex].agent >= 0) {
+  const bool stayed = world_.previous_vertex(arrival.robot) == arrival.vertex;
+  if (!stayed && pending_[arrival.vertex].agent >= 0) {
     SettlePending(arrival.vertex, arrival.time_s - pending_[arrival.vertex].since_s);
   }
   const Agent& agent = agents_[arrival.robot];
@@ -125,14 +124,16 @@ void PatrolEnvironment::SettleArrival(const Arrival& arrival, bool last_step) {
   for (std::size_t v = 0; v < idleness_s_.size(); ++v) {
     idleness_s_[v] = world_.idleness_s(static_cast<int>(v));
   }
-  idleness_s_[arrival.vertex] = arrival.idleness_s;  // the visit has reset it in the world
+  // The visit has reset it in the world; without the stay it would have grown.
+  idleness_s_[arrival.vertex] =
+      stayed ? world_.graph().weights()[arrival.vertex] * world_.stay_s() : arrival.idleness_s;
   const float reward = Reward(options_.reward,
                               {.travel_s = arrival.time_s - agent.made_s,
                                .vertex = arrival.vertex,
                                .idleness_s = idleness_s_,
                                .last_step = last_step},
                               parameters_);
-  if (!WaitsForNextVisit(options_.reward)) {
+  if (stayed || !WaitsForNextVisit(options_.reward)) {
     settled_.push_back({.agent = arrival.robot, .index = agent.count - 1, .reward = reward});
     return;
   }
@@ -146,7 +147,7 @@ void PatrolEnvironment::SettleArrival(const Arrival& arrival, bool last_step) {
 void PatrolEnvironment::SettleLate(double now_s) {
   for (std::size_t vertex = 0; vertex < pending_.size(); ++vertex) {
     if (pending_[vertex].agent >= 0 && now_s - pending_[vertex].since_s > settle_within_s_) {
-      SettlePending(static_cast<int>(vertex), kForever);
+      SettlePending(static_cast<int>(vertex), kNever_s);
     }
   }
 }

@@ -11,7 +11,8 @@
 // first arrival at or after its length: every decision that has arrived is settled by then (without
 // a next visit: never), those under way are dropped. So the last step, where final-average is
 // given, is the one arrival that ends the episode: one decision of one robot. A robot that fails
-// leaves its decision unsettled; if it joins again, that decision's reward is 0. T_ref = closed
+// leaves its decision unsettled; if it joins again, that decision's reward is 0. Staying put is
+// rewarded at once, as the visit of a vertex that has been idle for so long. T_ref = closed
 // walk / Σ speeds is the unit of all times in the options. Errors: InputError for options out of
 // range. Thread-compatible. O(A·V + N·V) a step, no allocation once warm. Source: thesis §1.3,
 // §3.2, §4.2.

@@ -39,7 +39,6 @@ class EpisodePlayer {
                 const EvaluationOptions& options, const EvaluationResult& times)
       : seed_(options.seed),
         attrition_(options.conditions.attrition),
-        speeds_mps_(SpeedsOf(options.conditions, options.agents)),
         warmup_s_(times.warmup_s),
         end_s_(times.warmup_s + times.window_s),
         strategy_(make_strategy()),
@@ -54,7 +53,7 @@ class EpisodePlayer {
   /// nullopt when stopped.
   std::optional<EpisodeResult> Play(int episode, TraceWriter* trace, const std::stop_token& stop) {
     EpisodeStreams streams(seed_, episode);
-    const auto starts = strategy_->Begin(world_.graph(), speeds_mps_, streams.starts);
+    const auto starts = strategy_->Begin(world_.graph(), world_.speeds_mps(), streams.starts);
     world_.Reset(starts, streams.noise);
     const auto changes = DrawChanges(attrition_, world_.robot_count(), end_s_, streams.changes);
     world_.Schedule(changes);
@@ -96,7 +95,6 @@ class EpisodePlayer {
 
   std::uint64_t seed_;
   Attrition attrition_;
-  std::vector<double> speeds_mps_;  // (N)
   double warmup_s_;
   double end_s_;
   std::unique_ptr<Strategy> strategy_;

@@ -1,6 +1,7 @@
 #include "common/evaluation/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -50,8 +51,11 @@ Json ConditionsAsJson(const Conditions& conditions) {
 }
 
 std::string FormatConditions(const Conditions& conditions) {
-  const std::string label = Label(conditions);
-  return label.empty() ? " at 1 m/s" : fmt::format(", {}", label);
+  Conditions others = conditions;
+  others.speeds_mps = Conditions().speeds_mps;
+  const std::string label = Label(others);
+  return fmt::format("at {:g} m/s{}{}", fmt::join(conditions.speeds_mps, "/"),
+                     label.empty() ? "" : ", ", label);
 }
 
 std::string FormatProtocol(const EvaluationReport& report) {
@@ -95,6 +99,11 @@ Json ReportAsJsonValue(const EvaluationReport& report) {
   return json;
 }
 
+LowerBounds BoundsOf(const PatrolGraph& graph, const EvaluationOptions& options) {
+  return ComputeLowerBounds(graph, TotalSpeed_mps(options.conditions, options.agents),
+                            options.agents);
+}
+
 std::string ReportAsJson(const EvaluationReport& report) {
   return ReportAsJsonValue(report).dump(2, ' ', false, Json::error_handler_t::replace);
 }
@@ -111,7 +120,7 @@ std::string FormatEstimate(const Estimate& estimate) {
 
 std::string FormatSetting(const EvaluationReport& report) {
   return fmt::format(
-      "{}, {} robot{}{}\n{}\n{} episode{}, seed {}; mean ± 95 % interval over episodes\n",
+      "{}, {} robot{} {}\n{}\n{} episode{}, seed {}; mean ± 95 % interval over episodes\n",
       report.map, report.options.agents, report.options.agents == 1 ? "" : "s",
       FormatConditions(report.options.conditions), FormatProtocol(report), report.options.episodes,
       report.options.episodes == 1 ? "" : "s", report.options.seed);

@@ -28,6 +28,9 @@ struct EvaluationReport {
   std::optional<double> ratio_to_random;
 };
 
+/// The lower bounds that stand beside an evaluation with these options.
+LowerBounds BoundsOf(const PatrolGraph& graph, const EvaluationOptions& options);
+
 /// One JSON object, indented, without a line end.
 std::string ReportAsJson(const EvaluationReport& report);
 

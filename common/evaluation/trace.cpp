@@ -35,8 +35,8 @@ void TraceWriter::Begin(double warmup_s, double window_s) {
 }
 
 void TraceWriter::Event(int episode, double time_s, int robot, int vertex, std::string_view event) {
-  file_.Write(
-      fmt::format("{},{:.9f},{},{},{}\n", episode, time_s, robot, vertex_fields_[vertex], event));
+  file_.Write(fmt::format("{},{:.9f},{},{},{}\n", episode, time_s, robot,
+                          vertex < 0 ? "-1" : vertex_fields_[vertex], event));
 }
 
 void TraceWriter::End(int episode, double time_s) {
@@ -62,8 +62,8 @@ void EpisodeTrace::Visit(const Arrival& arrival) {
 void EpisodeTrace::WriteChanges(double until_s) {
   while (!changes_.empty() && changes_.front().time_s <= until_s) {
     const RobotChange& change = changes_.front();
-    trace_.Event(episode_, change.time_s, change.robot, starts_[change.robot].vertex,
-                 change.joins ? "join" : "fail");
+    trace_.Event(episode_, change.time_s, change.robot,
+                 change.joins ? starts_[change.robot].vertex : -1, change.joins ? "join" : "fail");
     changes_ = changes_.subspan(1);
   }
 }

@@ -5,9 +5,10 @@
 // `episode,time_s,robot,vertex,event`. Episodes and robots count from 0; vertices stand by their
 // ids in the map; time runs from the episode's start, warm-up included, with 9 decimals. Events:
 // `start` (time 0, counts as a visit; a robot that starts on an edge names the vertex behind it),
-// `visit` (a robot that stays put visits until its next event), `join` and `fail` (at the vertex
-// where the robot starts; joining there counts by the visit that follows), and `end` (one an
-// episode, at the end time, robot and vertex −1). Errors as OutputFile. Thread-compatible.
+// `visit` (a robot that stays put visits the same vertex again at the end of its stay, and was
+// there all the while), `join` (at the vertex where it starts; the visit follows), `fail` (vertex
+// −1), and `end` (one an episode, at the end time, robot and vertex −1). Errors as OutputFile.
+// Thread-compatible.
 #include <filesystem>
 #include <span>
 #include <string>

@@ -18,6 +18,12 @@ void Require(bool holds, const char* condition, const char* rule, double value) 
   }
 }
 
+template <class Holds>
+void RequireIfGiven(const std::optional<double>& value, const char* condition, const char* rule,
+                    const Holds& holds) {
+  if (value) Require(holds(*value), condition, rule, *value);
+}
+
 bool Earlier(const RobotChange& a, const RobotChange& b) {
   return a.time_s != b.time_s ? a.time_s < b.time_s : a.robot < b.robot;
 }
@@ -85,19 +91,19 @@ void CheckConditions(const Conditions& conditions, int robots) {
   Require(conditions.travel_noise >= 0.0, "noise", "≥ 0 and finite", conditions.travel_noise);
   Require(conditions.stay_s >= 0.0, "stay", "≥ 0 s and finite", conditions.stay_s);
   const Communication& communication = conditions.communication;
-  const double loss = communication.message_loss.value_or(0.0);
-  Require(loss >= 0.0 && loss <= 1.0, "message loss", "in 0 … 1", loss);
-  Require(communication.message_range_m.value_or(1.0) > 0.0, "message range", "> 0 m and finite",
-          communication.message_range_m.value_or(1.0));
+  RequireIfGiven(communication.message_loss, "message loss", "in 0 … 1",
+                 [](double loss) { return loss >= 0.0 && loss <= 1.0; });
+  RequireIfGiven(communication.message_range_m, "message range", "> 0 m and finite",
+                 [](double range_m) { return range_m > 0.0; });
   Require(communication.message_delay_s >= 0.0, "message delay", "≥ 0 s and finite",
           communication.message_delay_s);
-  Require(communication.observation_radius_m.value_or(0.0) >= 0.0, "observation radius",
-          "≥ 0 m and finite", communication.observation_radius_m.value_or(0.0));
+  RequireIfGiven(communication.observation_radius_m, "observation radius", "≥ 0 m and finite",
+                 [](double radius_m) { return radius_m >= 0.0; });
   const Attrition& attrition = conditions.attrition;
-  Require(attrition.mean_time_to_failure_s.value_or(1.0) >= 1.0, "mean time to failure",
-          "≥ 1 s and finite", attrition.mean_time_to_failure_s.value_or(1.0));
-  Require(attrition.repair_s.value_or(1.0) >= 1.0, "repair time", "≥ 1 s and finite",
-          attrition.repair_s.value_or(1.0));
+  const auto at_least_1_s = [](double duration_s) { return duration_s >= 1.0; };
+  RequireIfGiven(attrition.mean_time_to_failure_s, "mean time to failure", "≥ 1 s and finite",
+                 at_least_1_s);
+  RequireIfGiven(attrition.repair_s, "repair time", "≥ 1 s and finite", at_least_1_s);
   if (attrition.repair_s && !attrition.mean_time_to_failure_s) {
     throw UsageError("a repair time needs a mean time to failure");
   }
@@ -108,35 +114,33 @@ void CheckConditions(const Conditions& conditions, int robots) {
 }
 
 std::string Label(const Conditions& conditions) {
-  const Conditions defaults;
   std::vector<std::string> parts;
-  const auto add = [&](bool differs, std::string text) {
-    if (differs) parts.push_back(std::move(text));
+  const auto add = [&](const char* name, const std::optional<double>& value, const char* unit) {
+    if (value) parts.push_back(fmt::format("{} {:g}{}", name, *value, unit));
+  };
+  const auto unless_zero = [](double value) {
+    return value > 0.0 ? std::optional(value) : std::nullopt;
   };
   const Communication& communication = conditions.communication;
   const Attrition& attrition = conditions.attrition;
-  add(conditions.speeds_mps != defaults.speeds_mps,
-      fmt::format("speed {:g} m/s", fmt::join(conditions.speeds_mps, "/")));
-  add(conditions.travel_noise > 0.0, fmt::format("noise {:g}", conditions.travel_noise));
-  add(communication.loss() > 0.0, fmt::format("loss {:g}", communication.loss()));
-  add(communication.message_range_m.has_value(),
-      fmt::format("range {:g} m", communication.message_range_m.value_or(0.0)));
-  add(communication.message_delay_s > 0.0,
-      fmt::format("delay {:g} s", communication.message_delay_s));
-  add(communication.observation_radius_m.has_value(),
-      fmt::format("radius {:g} m", communication.observation_radius_m.value_or(0.0)));
-  add(attrition.mean_time_to_failure_s.has_value(),
-      fmt::format("failures each {:g} s", attrition.mean_time_to_failure_s.value_or(0.0)));
-  add(attrition.repair_s.has_value(),
-      fmt::format("repair {:g} s", attrition.repair_s.value_or(0.0)));
+  if (conditions.speeds_mps != Conditions().speeds_mps) {
+    parts.push_back(fmt::format("speed {:g} m/s", fmt::join(conditions.speeds_mps, "/")));
+  }
+  add("noise", unless_zero(conditions.travel_noise), "");
+  add("loss", unless_zero(communication.loss()), "");
+  add("range", communication.message_range_m, " m");
+  add("delay", unless_zero(communication.message_delay_s), " s");
+  add("radius", communication.observation_radius_m, " m");
+  add("failures each", attrition.mean_time_to_failure_s, " s");
+  add("repair", attrition.repair_s, " s");
   for (const RobotChange& change : Ascending(attrition.changes)) {
-    add(true,
+    parts.push_back(
         fmt::format("{} {}@{:g} s", change.joins ? "join" : "fail", change.robot, change.time_s));
   }
   for (const auto& [vertex, priority] : conditions.priorities) {
-    add(true, fmt::format("priority {}={:g}", vertex, priority));
+    parts.push_back(fmt::format("priority {}={:g}", vertex, priority));
   }
-  add(conditions.stay_s > 0.0, fmt::format("stay {:g} s", conditions.stay_s));
+  add("stay", unless_zero(conditions.stay_s), " s");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -181,8 +185,7 @@ std::vector<RobotChange> DrawChanges(const Attrition& attrition, int robots, dou
       on_patrol += change.joins ? 1 : -1;
       change.joins = !change.joins;
     }
-    change.time_s +=
-        change.joins ? (std::isfinite(away_s) ? RoundedDuration_s(away_s) : away_s) : lifetime_s();
+    change.time_s += change.joins ? away_s : lifetime_s();
   }
 }
 
@@ -195,7 +198,7 @@ PatrolGraph WithPriorities(const PatrolGraph& graph, const Conditions& condition
     if (found == data.vertex_ids.end()) {
       throw UsageError(fmt::format("priority: map {} has no vertex {}", graph.name(), id));
     }
-    if (!(priority >= kLowestPriority && priority <= kHighestPriority)) {
+    if (!IsPriority(priority)) {
       throw UsageError(
           fmt::format("priority of vertex {} must be in 1e-6 … 1e6, got {}", id, priority));
     }

@@ -44,8 +44,8 @@ struct GraphData {
   std::optional<ClosedWalk> shortest_closed_walk = {};
 };
 
-inline constexpr double kLowestPriority = 1e-6;
-inline constexpr double kHighestPriority = 1e6;
+/// What a vertex's priority may be: in 1e-6 … 1e6.
+inline bool IsPriority(double value) { return value >= 1e-6 && value <= 1e6; }
 
 class PatrolGraph {
  public:

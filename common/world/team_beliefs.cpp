@@ -44,10 +44,9 @@ TeamBeliefs::TeamBeliefs(const PatrolGraph& graph, int robots, const Knowledge& 
       vertices_(static_cast<std::size_t>(graph.vertex_count())),
       knowledge_(knowledge),
       communication_(communication) {
-  const bool shares_visits = knowledge.visits == Knowledge::Visits::kShared;
   const bool partial = !communication.complete();
-  keeps_visits_ = knowledge.visits == Knowledge::Visits::kOwn || (shares_visits && partial);
-  keeps_news_ = partial && (shares_visits || knowledge.intentions);
+  keeps_visits_ = knowledge.visits == Knowledge::Visits::kOwn || (shares_visits() && partial);
+  keeps_news_ = partial && (shares_visits() || knowledge.intentions);
   sends_ = keeps_news_ || knowledge.messages;
   if (keeps_visits_) visits_s_.resize(robots_ * vertices_);
   if (!keeps_news_) return;
@@ -67,12 +66,26 @@ void TeamBeliefs::Begin(const PatrolWorld& world, const Rng& messages) {
     visits_s_[entry] = world.last_visits_s()[entry % vertices_];
   }
   for (std::size_t entry = 0; entry < news_from_s_.size(); ++entry) {
-    const std::size_t other = entry % robots_;
     news_from_s_[entry] = 0.0;
-    targets_[entry] = world.targets()[other];
-    previous_[entry] = world.previous_vertices()[other];
-    arrivals_s_[entry] = world.expected_arrivals_s()[other];
+    SetNews(entry, TruthOf(world, static_cast<int>(entry % robots_)));
   }
+}
+
+TeamBeliefs::News TeamBeliefs::TruthOf(const PatrolWorld& world, int robot) {
+  return {.target = world.target(robot),
+          .previous = world.previous_vertex(robot),
+          .arrival_s = world.expected_arrivals_s()[robot]};
+}
+
+void TeamBeliefs::SetNews(std::size_t entry, const News& news) {
+  targets_[entry] = news.target;
+  previous_[entry] = news.previous;
+  arrivals_s_[entry] = news.arrival_s;
+}
+
+void TeamBeliefs::NoteVisit(int robot, int vertex, double time_s) {
+  double& visit_s = visits_s_[VisitRow(robot) + static_cast<std::size_t>(vertex)];
+  visit_s = std::max(visit_s, time_s);
 }
 
 Belief TeamBeliefs::Arrived(const PatrolWorld& world, const Arrival& arrival) {
@@ -81,10 +94,7 @@ Belief TeamBeliefs::Arrived(const PatrolWorld& world, const Arrival& arrival) {
     Deliver(under_way_.front());
     under_way_.pop_front();
   }
-  if (keeps_visits_) {
-    double& visit_s = visits_s_[VisitRow(robot) + static_cast<std::size_t>(arrival.vertex)];
-    visit_s = std::max(visit_s, arrival.time_s);
-  }
+  if (keeps_visits_) NoteVisit(robot, arrival.vertex, arrival.time_s);
   if (keeps_news_) {
     LetNewsExpire(world, robot);
     if (!seen_.empty()) See(world, robot);
@@ -107,10 +117,8 @@ Belief TeamBeliefs::Arrived(const PatrolWorld& world, const Arrival& arrival) {
 
 void TeamBeliefs::Departed(const PatrolWorld& world, int robot) {
   const int vertex = world.previous_vertex(robot);
-  if (keeps_visits_ && world.target(robot) == vertex) {  // it stays
-    double& own_s = visits_s_[VisitRow(robot) + static_cast<std::size_t>(vertex)];
-    own_s = std::max(own_s, world.arrival_s(robot));
-  }
+  const bool stays = world.target(robot) == vertex;
+  if (keeps_visits_ && stays) NoteVisit(robot, vertex, world.arrival_s(robot));
   if (sends_) Send(world, robot);
 }
 
@@ -142,17 +150,16 @@ void TeamBeliefs::Send(const PatrolWorld& world, int robot) {
 
 void TeamBeliefs::Deliver(const Message& message) {
   if (keeps_news_) {
-    if (keeps_visits_ && knowledge_.visits == Knowledge::Visits::kShared) {
-      double& visit_s = visits_s_[VisitRow(message.receiver) + message.vertex];
-      const bool stays = message.target == message.vertex;
-      visit_s = std::max(visit_s, stays ? message.arrival_s : message.sent_s);
+    const bool stays = message.target == message.vertex;
+    if (shares_visits()) {
+      NoteVisit(message.receiver, message.vertex, stays ? message.arrival_s : message.sent_s);
     }
     const std::size_t entry = TeamRow(message.receiver) + message.sender;
     if (message.sent_s >= news_from_s_[entry]) {
       news_from_s_[entry] = message.sent_s;
-      targets_[entry] = message.target;
-      previous_[entry] = message.vertex;
-      arrivals_s_[entry] = message.arrival_s;
+      SetNews(
+          entry,
+          {.target = message.target, .previous = message.vertex, .arrival_s = message.arrival_s});
     }
   }
   if (knowledge_.messages && heard_) heard_(message.receiver, message.sender);
@@ -163,18 +170,13 @@ void TeamBeliefs::LetNewsExpire(const PatrolWorld& world, int robot) {
     const std::size_t entry = TeamRow(robot) + other;
     const bool was_there = arrivals_s_[entry] < world.time_s();
     if (!was_there && world.on_patrol()[other] != 0) continue;
-    if (was_there && knowledge_.visits == Knowledge::Visits::kShared) {
-      double& visit_s = visits_s_[VisitRow(robot) + targets_[entry]];
-      visit_s = std::max(visit_s, arrivals_s_[entry]);
-    }
-    targets_[entry] = -1;
-    previous_[entry] = -1;
-    arrivals_s_[entry] = kNever_s;
+    if (was_there && shares_visits()) NoteVisit(robot, targets_[entry], arrivals_s_[entry]);
+    SetNews(entry, {});
   }
 }
 
 void TeamBeliefs::See(const PatrolWorld& world, int robot) {
-  if (knowledge_.visits == Knowledge::Visits::kShared) {
+  if (shares_visits()) {
     for (const int vertex : seen_[world.target(robot)]) {
       visits_s_[VisitRow(robot) + vertex] = world.last_visit_s(vertex);
     }
@@ -185,9 +187,7 @@ void TeamBeliefs::See(const PatrolWorld& world, int robot) {
     if (Distance_m(from, world.position(other)) > *communication_.observation_radius_m) continue;
     const std::size_t entry = TeamRow(robot) + other;
     news_from_s_[entry] = world.time_s();
-    targets_[entry] = world.target(other);
-    previous_[entry] = world.previous_vertex(other);
-    arrivals_s_[entry] = world.expected_arrivals_s()[other];
+    SetNews(entry, TruthOf(world, other));
   }
 }
 

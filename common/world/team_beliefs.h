@@ -20,7 +20,6 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "common/base/rng.h"
@@ -64,6 +63,17 @@ class TeamBeliefs {
 
   std::size_t VisitRow(int robot) const { return static_cast<std::size_t>(robot) * vertices_; }
   std::size_t TeamRow(int robot) const { return static_cast<std::size_t>(robot) * robots_; }
+  /// What `robot` knows of another from now on; a target of −1: nothing.
+  struct News {
+    int target = -1;
+    int previous = -1;
+    double arrival_s = kNever_s;
+  };
+  static News TruthOf(const PatrolWorld& world, int robot);
+  void SetNews(std::size_t entry, const News& news);
+  /// `robot` knows that the vertex was visited at `time_s`, or later.
+  void NoteVisit(int robot, int vertex, double time_s);
+  bool shares_visits() const { return knowledge_.visits == Knowledge::Visits::kShared; }
   void Send(const PatrolWorld& world, int robot);
   void Deliver(const Message& message);
   void See(const PatrolWorld& world, int robot);

@@ -134,7 +134,7 @@ Recomputed Recompute(const TraceFile& trace, int episode, double warmup_s,
     if (row.episode != episode) continue;
     if (row.event == "end") {
       end_s = row.time_s;
-    } else {
+    } else if (row.event != "fail") {
       visits_s.at(row.vertex).push_back(row.time_s);
     }
   }
@@ -188,6 +188,77 @@ TEST_CASE("AGI, WI and final idleness recomputed from the trace are those report
     CHECK(trace.rows.back().time_s ==
           Approx(result.warmup_s + result.window_s).epsilon(0).margin(1e-8));
   }
+}
+
+/// All that makes patrolling hard, at once.
+Conditions HardConditions() {
+  Conditions conditions{.speeds_mps = {1.0, 0.6}, .travel_noise = 0.2};
+  conditions.communication = {.message_loss = 0.3,
+                              .message_range_m = 40.0,
+                              .message_delay_s = 3.0,
+                              .observation_radius_m = 12.0};
+  conditions.attrition = {.mean_time_to_failure_s = 400.0, .repair_s = 100.0};
+  return conditions;
+}
+
+TEST_CASE("Under every condition the trace tells what was measured, with failures and joinings") {
+  const EvaluationMap map("cumberland");
+  const TemporaryFolder folder;
+  TraceWriter sut(folder.path() / "trace", map.graph, "cumberland");
+  const auto result =
+      Play(map, "er", {.episodes = 2, .agents = 6, .conditions = HardConditions()}, &sut);
+  sut.Commit();
+
+  const TraceFile trace = ReadTrace(folder.path() / "trace");
+  std::map<std::pair<int, int>, bool> there;
+  int failures = 0;
+  for (const TraceRow& row : trace.rows) {
+    if (row.event == "end") continue;
+    bool& is_there = there[{row.episode, row.robot}];
+    if (row.event == "fail") {
+      REQUIRE(is_there);
+      CHECK(row.vertex == "-1");
+      ++failures;
+    } else if (row.event != "visit") {
+      REQUIRE_FALSE(is_there);
+    } else {
+      REQUIRE(is_there);
+    }
+    is_there = row.event != "fail";
+  }
+  CHECK(failures > 20);
+  for (int episode = 0; episode < 2; ++episode) {
+    const auto again = Recompute(trace, episode, result.warmup_s, map.graph);
+    CHECK(again.agi_s == Approx(result.agi_s()[episode]).epsilon(1e-6));
+    CHECK(again.wi_s == Approx(result.wi_s()[episode]).epsilon(1e-6));
+    CHECK(again.final_s == Approx(result.final_s()[episode]).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("Under every condition the results do not depend on the number of threads") {
+  const EvaluationMap map("cumberland");
+  EvaluationOptions options{
+      .episodes = 6, .agents = 6, .conditions = HardConditions(), .threads = 1};
+  const auto alone = Play(map, "sebs", options);
+  options.threads = 3;
+
+  CHECK(Play(map, "sebs", options).agi_s() == alone.agi_s());
+}
+
+TEST_CASE("What robots do not hear costs what hearing is worth: sebs, 40 paired episodes") {
+  // 95 % intervals of the paired ratio to complete communication, far from 1 and from each other.
+  const EvaluationMap map("cumberland");
+  const auto agi_s = [&](const Communication& communication) {
+    return Play(map, "sebs",
+                {.episodes = 40, .agents = 10, .conditions = {.communication = communication}})
+        .agi_s();
+  };
+  const auto complete_s = agi_s({});
+  const Estimate half = PairedRatio(agi_s({.message_loss = 0.5}), complete_s);
+  const Estimate silent = PairedRatio(agi_s({.message_loss = 1.0}), complete_s);
+
+  CHECK(half.mean - *half.ci95 > 1.02);
+  CHECK(silent.mean - *silent.ci95 > half.mean + *half.ci95);
 }
 
 /// Goes to the first neighbour, and keeps where the robots of each episode started.

@@ -45,14 +45,16 @@ TEST_CASE("The JSON of a report has the documented keys and values") {
       nlohmann::json::parse(ReportAsJson(ReportOf({.name = "cr"}, {1.0, 2.0, 3.0, 4.0})));
 
   CHECK(Keys(sut) == std::set<std::string>{"map", "agents", "strategy", "speed_mps", "noise",
-                                           "seed", "protocol", "episodes", "t_ref_s", "warmup_s",
-                                           "window_s", "decisions", "agi_s", "wi_s", "final_s",
-                                           "lower_bound_agi_s", "lower_bound_wi_s"});
+                                           "conditions", "seed", "protocol", "episodes", "t_ref_s",
+                                           "warmup_s", "window_s", "decisions", "agi_s", "wi_s",
+                                           "final_s", "lower_bound_agi_s", "lower_bound_wi_s"});
   CHECK(sut["map"] == "somewhere");
   CHECK(sut["agents"] == 3);
   CHECK(sut["strategy"] == "cr");
   CHECK(sut["speed_mps"] == 2.0);
   CHECK(sut["noise"] == 0.25);
+  CHECK(sut["conditions"]["label"] == "speed 2 m/s, noise 0.25");
+  CHECK(sut["conditions"]["message_range_m"].is_null());
   CHECK(sut["seed"] == 9);
   CHECK(sut["protocol"] == "steady");
   CHECK(sut["episodes"] == 4);

@@ -58,11 +58,47 @@ std::vector<int> PatrolOfCells::PlacesNow(const Belief& belief) const {
 }
 
 std::shared_ptr<const PatrolOfCells::Plan> PatrolOfCells::MakePlan(double made_s,
-                                                                  std::vector<std::uint8_t> team,
-                                                                  std::vector<int> places) const {
-  const int robots = static_cast<int>(places.size());
-  std::vector<std::vector<int>> cells(places.size());  // of the first robot at each place
-  for (int robot = 0; robot < robots; ++robot) ...
+                                                                   std::vector<std::uint8_t> team,
+                                                                   std::vector<int> places) const {
+  const std::size_t robots = places.size();
+  std::vector<std::vector<int>> cells(robots);  // of the first robot of each place
+  for (int vertex = 0; vertex < paths_->vertex_count(); ++vertex) {
+    int owner = -1;
+    for (int robot = 0; robot < static_cast<int>(robots); ++robot) {
+      if (team[robot] == 0) continue;
+      if (owner < 0 ||
+          paths_->distance_m(places[robot], vertex) < paths_->distance_m(places[owner], vertex)) {
+        owner = robot;
+      }
+    }
+    if (owner >= 0) cells[owner].push_back(vertex);
+  }
+  auto plan = std::make_shared<Plan>();
+  plan->made_s = made_s;
+  plan->team = std::move(team);
+  plan->places = std::move(places);
+  plan->tours.resize(robots);
+  for (std::size_t owner = 0; owner < robots; ++owner) {
+    if (!cells[owner].empty()) ShareTour(*plan, owner, TourFrom(plan->places[owner], cells[owner]));
+  }
+  return plan;
+}
+
+std::vector<int> PatrolOfCells::TourFrom(int place, std::vector<int> cell) const {
+  std::ranges::rotate(cell, std::ranges::find(cell, place));
+  return ChristofidesTour(*paths_, cell);
+}
+
+void PatrolOfCells::ShareTour(Plan& plan, std::size_t owner, const std::vector<int>& tour) {
+  std::vector<std::size_t> sharers;
+  for (std::size_t robot = owner; robot < plan.places.size(); ++robot) {
+    if (plan.team[robot] != 0 && plan.places[robot] == plan.places[owner]) sharers.push_back(robot);
+  }
+  for (std::size_t k = 0; k < sharers.size(); ++k) {
+    auto& own = plan.tours[sharers[k]] = tour;
+    std::ranges::rotate(
+        own, own.begin() + static_cast<std::ptrdiff_t>(k * tour.size() / sharers.size()));
+  }
 }
 
 }  // namespace ronda

@@ -1,11 +1,12 @@
 #pragma once
-// Adaptive Heuristic-based Patrolling Algorithm, AHPA (Goeckner, Li, Wei & Zhu 2024): each robot has
-// a cell of the map and goes round in it; when a robot is lost or joins, the map is divided anew.
+// Adaptive Heuristic-based Patrolling Algorithm, AHPA (Goeckner, Li, Wei & Zhu 2024): each robot
+// has a cell of the map and goes round in it; when a robot is lost or joins, the map is divided
+// anew.
 //
 // Cells are those of Voronoi by shortest-path length: a vertex belongs to the nearest robot's
 // place, the lower number of equally near ones. Within a cell the robot follows a tour of
-// Christofides (common/world/christofides.h) on shortest-path lengths, from stop to stop by shortest
-// paths of the whole map, so it may pass through other cells. It begins where it is.
+// Christofides (common/world/christofides.h) on shortest-path lengths, from stop to stop by
+// shortest paths of the whole map, so it may pass through other cells. It begins where it is.
 //
 // The first plan is made from the starts of all robots. A robot whose plan is not for those on
 // patrol makes a new one from the places it knows: its own vertex, the vertex that another heads
@@ -27,8 +28,8 @@ namespace ronda {
 
 class PatrolOfCells final : public Strategy {
  public:
-  /// `paths` must outlive the strategy.
-  explicit PatrolOfCells(const ShortestPaths& paths) : paths_(&paths) {}
+  /// `paths` are those of the graph; they must outlive the strategy.
+  PatrolOfCells(const PatrolGraph& /*graph*/, const ShortestPaths& paths) : paths_(&paths) {}
 
   std::vector<RobotStart> Begin(const PatrolGraph& graph, std::span<const double> speeds_mps,
                                 Rng& rng) override;
@@ -46,6 +47,8 @@ class PatrolOfCells final : public Strategy {
 
   std::shared_ptr<const Plan> MakePlan(double made_s, std::vector<std::uint8_t> team,
                                        std::vector<int> places) const;
+  std::vector<int> TourFrom(int place, std::vector<int> cell) const;
+  static void ShareTour(Plan& plan, std::size_t owner, const std::vector<int>& tour);
   std::vector<int> PlacesNow(const Belief& belief) const;
   void Follow(int robot, std::shared_ptr<const Plan> plan);
 

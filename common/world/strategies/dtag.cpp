@@ -49,10 +49,10 @@ int GreedyAssignment::ChooseGoal(const Belief& belief, Rng& rng) {
   for (int vertex = 0; vertex < graph.vertex_count(); ++vertex) {
     if (free_[vertex] == 0) continue;
     const Position& place = graph.positions()[vertex];
-    choice.Offer(vertex,
-                 idleness_.idleness_s(belief, vertex) -
-                     kPerPx_s * distances_m[vertex] / graph.metres_per_px() -
-                     kPerMetreFromStart_s * std::hypot(place.x_m - start.x_m, place.y_m - start.y_m));
+    choice.Offer(vertex, idleness_.idleness_s(belief, vertex) -
+                             kPerPx_s * distances_m[vertex] / graph.metres_per_px() -
+                             kPerMetreFromStart_s *
+                                 std::hypot(place.x_m - start.x_m, place.y_m - start.y_m));
   }
   return choice.best();
 }

@@ -2,11 +2,11 @@
 // Dynamic Task Assignment, Greedy, DTAG (Farinelli, Iocchi & Nardi 2017): each robot takes the
 // vertex, anywhere, that is worth most to it, and that no other has taken.
 //
-// Goal: argmax over all v ≠ here of I_v − 0.75·D_v − 5·‖x_v − x_start‖, I_v the idleness in seconds,
-// D_v the shortest-path length in the map's px, the last term the distance in metres from where the
-// robot started, as the crow flies. A vertex that nobody has visited counts as idle since −100 s.
-// Never the goal of another robot on patrol, unless all are. The robot goes there by a shortest
-// path, and chooses again when it is there (or has joined again).
+// Goal: argmax over all v ≠ here of I_v − 0.75·D_v − 5·‖x_v − x_start‖, I_v the idleness in
+// seconds, D_v the shortest-path length in the map's px, the last term the distance in metres from
+// where the robot started, as the crow flies. A vertex that nobody has visited counts as idle since
+// −100 s. Never the goal of another robot on patrol, unless all are. The robot goes there by a
+// shortest path, and chooses again when it is there (or has joined again).
 //
 // A robot knows everyone's visits, and the goals that others say with each of their decisions (the
 // newest heard counts until a newer one is). Ties at random. A new goal costs O(N + V), every other
@@ -21,8 +21,8 @@ namespace ronda {
 
 class GreedyAssignment final : public Strategy {
  public:
-  /// `paths` must outlive the strategy.
-  explicit GreedyAssignment(const ShortestPaths& paths) : paths_(&paths) {}
+  /// `paths` are those of the graph; they must outlive the strategy.
+  GreedyAssignment(const PatrolGraph& /*graph*/, const ShortestPaths& paths) : paths_(&paths) {}
 
   std::vector<RobotStart> Begin(const PatrolGraph& graph, std::span<const double> speeds_mps,
                                 Rng& rng) override;

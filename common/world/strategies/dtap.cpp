@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-
-#include "common/world/strategies/random_argmax.h"
+#include <functional>
+#include <tuple>
 
 namespace ronda {
-static const int kMode = std::getenv("MODE") ? std::atoi(std::getenv("MODE")) : 0;
 
 AuctionAssignment::AuctionAssignment(const PatrolGraph& graph, const ShortestPaths& paths)
     : paths_(&paths), vertices_(static_cast<std::size_t>(graph.vertex_count())) {
@@ -22,50 +20,93 @@ AuctionAssignment::AuctionAssignment(const PatrolGraph& graph, const ShortestPat
 std::vector<RobotStart> AuctionAssignment::Begin(const PatrolGraph& graph,
                                                  std::span<const double> speeds_mps, Rng& rng) {
   const auto starts = Strategy::Begin(graph, speeds_mps, rng);
+  robots_ = starts.size();
   idleness_.Begin(graph, starts, 2.0 * graph.vertex_count());
-  bids_.assign(starts.size() * vertices_, Bid{});
-  goals_.assign(starts.size(), Goals{});
+  bids_.assign(robots_ * vertices_, Bid{});
+  goals_.assign(robots_ * robots_, Goals{});
+  made_.assign(robots_, {});
   return starts;
 }
 
 int AuctionAssignment::Decide(const Belief& belief, Rng& rng) {
-  Goals& goals = goals_[belief.robot];
-  if (belief.previous_vertex < 0) StartAnew(belief.robot);
-  if (goals.next < 0 || goals.next == belief.vertex) {
-    VoidBidsOfAbsent(belief);
-    goals.next = goals.after >= 0 ? goals.after : Auction(belief, belief.vertex, rng);
-    if (kMode == 1) Place(belief.robot, belief.robot, goals.next, 0.0);
-    goals.after = Auction(belief, goals.next, rng);
-    if (kMode == 1) Place(belief.robot, belief.robot, goals.after, 0.0);
+  const int robot = belief.robot;
+  Goals& own = goals(robot, robot);
+  made_[robot].clear();
+  if (belief.previous_vertex < 0) own = {};
+  if (own.next < 0 || own.next == belief.vertex) {
+    own.next = own.after >= 0 ? own.after : PlanGoal(belief, belief.vertex, rng);
+    own.after = PlanGoal(belief, own.next, rng);
   }
-  return paths_->next_hop(belief.vertex, goals.next);
-}
-
-void AuctionAssignment::StartAnew(int robot) {
-  goals_[robot] = {};
-  std::fill_n(bids(robot), vertices_, Bid{});
+  return paths_->next_hop(belief.vertex, own.next);
 }
 
 void AuctionAssignment::Hear(int receiver, int sender) {
-  for (int v = 0; v < (int)vertices_; ++v)
-    if (bids(sender)[v].holder == sender) Place(receiver, sender, v, bids(sender)[v].value_m);
+  goals(receiver, sender) = goals(sender, sender);
+  for (const MadeBid& made : made_[sender]) bids(receiver)[made.vertex] = made.bid;
 }
 
-void AuctionAssignment::Place(int robot, int bidder, int vertex, double value_m) {
-  Bid& known = bids(robot)[vertex];
-  if (value_m < known.value_m) known = {.value_m = value_m, .holder = bidder};
-}
-
-void AuctionAssignment::VoidBidsOfAbsent(const Belief& belief) {
-  for (Bid* bid = bids(belief.robot); bid != bids(belief.robot) + vertices_; ++bid) {
-    if (bid->holder >= 0 && belief.on_patrol[bid->holder] == 0) *bid = {};
+int AuctionAssignment::PlanGoal(const Belief& belief, int from, Rng& rng) {
+  RankCandidates(belief, from, rng);
+  for (const Candidate& candidate : candidates_) {
+    const int vertex = candidate.vertex;
+    if (Wins(belief, vertex, from)) return vertex;
+    if (hops_[vertices_ * from + vertex] == 1 && idleness_.idleness_s(belief, vertex) > high_s_ &&
+        !IsGoalOfAnother(belief, vertex)) {
+      return vertex;
+    }
   }
+  return candidates_.empty() ? belief.vertex : candidates_.front().vertex;
 }
 
-int AuctionAssignment::Centre(int robot, int from) {
-  tasks_.clear();
+void AuctionAssignment::RankCandidates(const Belief& belief, int from, Rng& rng) {
+  candidates_.clear();
+  double sum_s = 0.0;
+  double sum_s2 = 0.0;
   for (int vertex = 0; vertex < static_cast<int>(vertices_); ++vertex) {
-    if (bids(robot)[vertex].holder == robot) tasks_.push_back(vertex);
+    const double idleness_s = idleness_.idleness_s(belief, vertex);
+    sum_s += idleness_s;
+    sum_s2 += idleness_s * idleness_s;
+    if (vertex == from || vertex == belief.vertex) continue;
+    const double hops = hops_[vertices_ * from + vertex];
+    candidates_.push_back({.utility_s = idleness_s - 2.0 * hops * static_cast<double>(vertices_),
+                           .draw = rng.Below(1u << 31),
+                           .vertex = vertex});
+  }
+  std::ranges::sort(candidates_, std::greater<>(), [](const Candidate& candidate) {
+    return std::tuple(candidate.utility_s, candidate.draw);
+  });
+  const double mean_s = sum_s / static_cast<double>(vertices_);
+  const double variance_s2 = sum_s2 / static_cast<double>(vertices_) - mean_s * mean_s;
+  high_s_ = mean_s + 2.0 * std::sqrt(std::max(0.0, variance_s2));
+}
+
+bool AuctionAssignment::Wins(const Belief& belief, int vertex, int from) {
+  if (IsGoalOfAnother(belief, vertex)) return false;
+  const int robot = belief.robot;
+  Bid& last = bids(robot)[vertex];
+  const bool won_by_another =
+      last.holder >= 0 && last.holder != robot && belief.on_patrol[last.holder] != 0;
+  const double own_m = OwnBid_m(robot, vertex, from);
+  if (won_by_another && last.value_m <= own_m) return false;
+  last = {.value_m = own_m, .holder = robot};
+  made_[robot].push_back({.vertex = vertex, .bid = last});
+  return true;
+}
+
+bool AuctionAssignment::IsGoalOfAnother(const Belief& belief, int vertex) {
+  for (int other = 0; other < belief.robot_count(); ++other) {
+    if (other != belief.robot && belief.on_patrol[other] != 0 &&
+        goals(belief.robot, other).contain(vertex)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+double AuctionAssignment::OwnBid_m(int robot, int vertex, int from) {
+  tasks_.clear();
+  for (int task = 0; task < static_cast<int>(vertices_); ++task) {
+    if (bids(robot)[task].holder == robot) tasks_.push_back(task);
   }
   int centre = from;
   double least_m = kNever_s;
@@ -77,37 +118,7 @@ int AuctionAssignment::Centre(int robot, int from) {
       centre = task;
     }
   }
-  return centre;
-}
-
-int AuctionAssignment::Auction(const Belief& belief, int from, Rng& rng) {
-  const int robot = belief.robot;
-  const int centre = Centre(robot, from);
-  double sum_s = 0.0, sum_s2 = 0.0;
-  idle_s_.resize(vertices_);
-  for (int v = 0; v < (int)vertices_; ++v) {
-    idle_s_[v] = idleness_.idleness_s(belief, v);
-    sum_s += idle_s_[v]; sum_s2 += idle_s_[v] * idle_s_[v];
-  }
-  const double mean_s = sum_s / vertices_;
-  const double limit_s = mean_s + 2.0 * std::sqrt(std::max(0.0, sum_s2 / vertices_ - mean_s * mean_s));
-  RandomArgmax won(rng), any(rng);
-  for (int v = 0; v < (int)vertices_; ++v) {
-    if (v == from) continue;
-    const int hops = hops_[vertices_ * from + v];
-    const double utility = idle_s_[v] - 2.0 * hops * vertices_;
-    double bid = paths_->distance_m(v, centre) * (tasks_.size() + 1.0);
-    bool mine = bids(robot)[v].holder == robot || bid < bids(robot)[v].value_m;
-    if (kMode == 2) {
-      for (int o = 0; o < belief.robot_count(); ++o)
-        if (o != robot && belief.on_patrol[o] && (goals_[o].next == v || goals_[o].after == v)) mine = false;
-    }
-    any.Offer(v, utility);
-    if (mine || (hops <= 1 && idle_s_[v] > limit_s)) won.Offer(v, utility);
-  }
-  const int v = won.best() >= 0 ? won.best() : any.best();
-  if (won.best() >= 0) Place(robot, robot, v, paths_->distance_m(v, centre) * (tasks_.size() + 1.0));
-  return v;
+  return paths_->distance_m(vertex, centre) * (static_cast<double>(tasks_.size()) + 1.0);
 }
 
 }  // namespace ronda

@@ -15,8 +15,7 @@ namespace ronda {
 enum class Sharing { kOwn, kShared, kClaims };
 
 constexpr Knowledge KnowledgeOf(Sharing sharing) {
-  return {.visits =
-              sharing == Sharing::kOwn ? Knowledge::Visits::kOwn : Knowledge::Visits::kShared,
+  return {.visits = sharing == Sharing::kOwn ? Knowledge::Visits::kOwn : Knowledge::Visits::kShared,
           .intentions = sharing == Sharing::kClaims};
 }
 
