@@ -52,8 +52,7 @@ void RunCompare(const CompareArguments& arguments, const std::stop_token& stop) 
   for (const Contestant& contestant : contestants) MakeContestant(contestant, map.context());
   std::optional<OutputFile> json;
   if (!arguments.json_path.empty()) json.emplace(arguments.json_path);
-  const LowerBounds bounds =
-      ComputeLowerBounds(map.graph(), options.agents * options.speed_mps, options.agents);
+  const LowerBounds bounds = BoundsOf(map, options);
   std::vector<EvaluationReport> reports;
   for (const Contestant& contestant : contestants) {
     auto result = EvaluateContestant(contestant, map.context(), options, nullptr, stop);

@@ -37,13 +37,12 @@ void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop
   auto result =
       EvaluateContestant(contestant, map.context(), options, trace ? &*trace : nullptr, stop);
   if (!result) return;
-  EvaluationReport report{
-      .map = arguments.map,
-      .contestant = contestant,
-      .options = options,
-      .result = *std::move(result),
-      .bounds = ComputeLowerBounds(map.graph(), options.agents * options.speed_mps, options.agents),
-      .ratio_to_random = std::nullopt};
+  EvaluationReport report{.map = arguments.map,
+                          .contestant = contestant,
+                          .options = options,
+                          .result = *std::move(result),
+                          .bounds = BoundsOf(map, options),
+                          .ratio_to_random = std::nullopt};
   if (options.protocol == Protocol::kThesis) {
     const auto random =
         EvaluateContestant({.name = "random"}, map.context(), options, nullptr, stop);

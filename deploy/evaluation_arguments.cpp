@@ -24,18 +24,31 @@ PatrolGraph LoadWithWarnings(const EvaluationArguments& arguments) {
 
 }  // namespace
 
+void AddTeamArguments(CLI::App& command, EvaluationArguments& arguments) {
+  command
+      .add_option("--map", arguments.map, "a map file (.graph or .json), or a shipped map's name")
+      ->required();
+  command.add_option("--agents", arguments.options.agents, "number of robots, 1 … 10000")
+      ->required();
+  command.add_option("--speed", arguments.options.speed_mps, "of every robot, m/s")
+      ->capture_default_str();
+  command
+      .add_option("--length", arguments.length,
+                  "edge lengths: euclidean, or file (the cost column of a .graph file)")
+      ->check(CLI::IsMember({"euclidean", "file"}))
+      ->capture_default_str();
+  command.add_option("--json", arguments.json_path, "write the result to this file");
+}
+
 void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationOptions& options = arguments.options;
+  AddTeamArguments(command, arguments);
   // CLI11 reads "-1" into an unsigned number without complaint.
   const CLI::Validator not_negative(
       [](std::string& text) {
         return text.starts_with('-') ? "must be 0 or more, got " + text : std::string();
       },
       "");
-  command
-      .add_option("--map", arguments.map, "a map file (.graph or .json), or a shipped map's name")
-      ->required();
-  command.add_option("--agents", options.agents, "number of robots, 1 … 10000")->required();
   command.add_option("--protocol", arguments.protocol, "steady or thesis")
       ->check(CLI::IsMember({"steady", "thesis"}))
       ->capture_default_str();
@@ -46,17 +59,10 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
       ->check(not_negative)
       ->capture_default_str();
-  command.add_option("--speed", options.speed_mps, "of every robot, m/s")->capture_default_str();
   command
       .add_option("--noise", options.travel_noise,
                   "σ of travel times: each takes length/speed · exp(σZ − σ²/2)")
       ->capture_default_str();
-  command
-      .add_option("--length", arguments.length,
-                  "edge lengths: euclidean, or file (the cost column of a .graph file)")
-      ->check(CLI::IsMember({"euclidean", "file"}))
-      ->capture_default_str();
-  command.add_option("--json", arguments.json_path, "write the result to this file");
 }
 
 EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {
@@ -72,6 +78,13 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {
 
 EvaluationMap::EvaluationMap(const EvaluationArguments& arguments)
     : graph_(LoadWithWarnings(arguments)), paths_(graph_), walk_(ClosedWalkOf(graph_, paths_)) {}
+
+LowerBounds BoundsOf(const EvaluationMap& map, const EvaluationOptions& options, bool staying) {
+  const auto robots = static_cast<std::size_t>(options.agents);
+  return ComputeLowerBounds(
+      map.graph(), map.paths(),
+      {.speeds_mps = std::vector<double>(robots, options.speed_mps), .staying = staying});
+}
 
 std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,
                                          const StrategyContext& context) {

@@ -27,7 +27,10 @@ struct EvaluationArguments {
   EvaluationOptions options;        // protocol and horizon are set by ResolveOptions
 };
 
-/// Adds the shared options to a subcommand; `arguments` must live as long as it.
+/// Adds the options of map and team to a subcommand; `arguments` must live as long as it.
+void AddTeamArguments(CLI::App& command, EvaluationArguments& arguments);
+
+/// Adds those and the others that are shared.
 void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments);
 
 /// The options that the arguments stand for, checked.
@@ -41,6 +44,8 @@ class EvaluationMap {
   EvaluationMap& operator=(const EvaluationMap&) = delete;
 
   const PatrolGraph& graph() const { return graph_; }
+  const ShortestPaths& paths() const { return paths_; }
+  const ClosedWalk& closed_walk() const { return walk_; }
   StrategyContext context() const {
     return {.graph = &graph_, .paths = &paths_, .closed_walk = &walk_};
   }
@@ -50,6 +55,10 @@ class EvaluationMap {
   ShortestPaths paths_;
   ClosedWalk walk_;
 };
+
+/// Lower bounds for the team; `staying` as in BoundsOptions.
+LowerBounds BoundsOf(const EvaluationMap& map, const EvaluationOptions& options,
+                     bool staying = false);
 
 /// Makes the contestant's strategy; throws where there is none of that name.
 std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,

@@ -90,7 +90,9 @@ void TrainingEvaluator::State::Run(std::stop_token stop) {
 void TrainingEvaluator::State::FindYardstick(std::stop_token stop) {
   Yardstick found;
   found.bounds =
-      ComputeLowerBounds(*context.graph, config.agents * config.speed_mps, config.agents);
+      ComputeLowerBounds(*context.graph, *context.paths,
+                         {.speeds_mps = std::vector<double>(static_cast<std::size_t>(config.agents),
+                                                            config.speed_mps)});
   for (const std::string& name : AllStrategyNames()) {
     const auto result = Evaluate(
         context, [&] { return MakeStrategy(name, context); },
