@@ -48,11 +48,11 @@ bool AddRatiosToRandom(std::vector<EvaluationReport>& reports, const EvaluationM
 void RunCompare(const CompareArguments& arguments, const std::stop_token& stop) {
   const EvaluationOptions options = ResolveOptions(arguments);
   const std::vector<Contestant> contestants = Contestants(arguments);
-  const EvaluationMap map(arguments);
+  const EvaluationMap map(arguments, options.conditions);
   for (const Contestant& contestant : contestants) MakeContestant(contestant, map.context());
   std::optional<OutputFile> json;
   if (!arguments.json_path.empty()) json.emplace(arguments.json_path);
-  const LowerBounds bounds = BoundsOf(map, options);
+  const auto bounds = BoundsOf(map.context(), options);
   std::vector<EvaluationReport> reports;
   for (const Contestant& contestant : contestants) {
     auto result = EvaluateContestant(contestant, map.context(), options, nullptr, stop);

@@ -19,7 +19,7 @@ struct EvaluateArguments : EvaluationArguments {
 
 void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop) {
   const EvaluationOptions options = ResolveOptions(arguments);
-  const EvaluationMap map(arguments);
+  const EvaluationMap map(arguments, options.conditions);
   const Contestant contestant =
       arguments.policy.empty()
           ? Contestant{.kind = ContestantKind::kStrategy, .name = arguments.strategy}
@@ -41,7 +41,7 @@ void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop
                           .contestant = contestant,
                           .options = options,
                           .result = *std::move(result),
-                          .bounds = BoundsOf(map, options),
+                          .bounds = BoundsOf(map.context(), options),
                           .ratio_to_random = std::nullopt};
   if (options.protocol == Protocol::kThesis) {
     const auto random =

@@ -9,6 +9,7 @@
 #include "common/base/error.h"
 #include "common/run/paths.h"
 #include "common/team/policy_strategy.h"
+#include "common/world/conditions_text.h"
 #include "deploy/find_policy.h"
 
 namespace ronda {
@@ -30,8 +31,10 @@ void AddTeamArguments(CLI::App& command, EvaluationArguments& arguments) {
       ->required();
   command.add_option("--agents", arguments.options.agents, "number of robots, 1 … 10000")
       ->required();
-  command.add_option("--speed", arguments.options.speed_mps, "of every robot, m/s")
-      ->capture_default_str();
+  for (const ConditionOption& condition : ConditionOptions()) {
+    command.add_option(fmt::format("--{}", condition.name), arguments.conditions[condition.name],
+                       condition.doc);
+  }
   command
       .add_option("--length", arguments.length,
                   "edge lengths: euclidean, or file (the cost column of a .graph file)")
@@ -59,10 +62,6 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
       ->check(not_negative)
       ->capture_default_str();
-  command
-      .add_option("--noise", options.travel_noise,
-                  "σ of travel times: each takes length/speed · exp(σZ − σ²/2)")
-      ->capture_default_str();
 }
 
 EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {
@@ -72,19 +71,17 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {
     throw UsageError("--horizon needs --protocol thesis: the steady window follows from the map");
   }
   options.horizon_s = arguments.horizon_s.value_or(options.horizon_s);
+  for (const auto& [name, text] : arguments.conditions) {
+    if (!text.empty()) SetCondition(options.conditions, name, text);
+  }
   CheckOptions(options);
   return options;
 }
 
-EvaluationMap::EvaluationMap(const EvaluationArguments& arguments)
-    : graph_(LoadWithWarnings(arguments)), paths_(graph_), walk_(ClosedWalkOf(graph_, paths_)) {}
-
-LowerBounds BoundsOf(const EvaluationMap& map, const EvaluationOptions& options, bool staying) {
-  const auto robots = static_cast<std::size_t>(options.agents);
-  return ComputeLowerBounds(
-      map.graph(), map.paths(),
-      {.speeds_mps = std::vector<double>(robots, options.speed_mps), .staying = staying});
-}
+EvaluationMap::EvaluationMap(const EvaluationArguments& arguments, const Conditions& conditions)
+    : graph_(WithPriorities(LoadWithWarnings(arguments), conditions)),
+      paths_(graph_),
+      walk_(ClosedWalkOf(graph_, paths_)) {}
 
 std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,
                                          const StrategyContext& context) {

@@ -4,6 +4,7 @@
 //
 // Errors: UsageError for options out of range, InputError for maps and policies. Warnings of the
 // map reader go to stderr.
+#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -22,12 +23,14 @@ struct EvaluationArguments {
   std::string map;
   std::string protocol = "steady";
   std::string length = "euclidean";
-  std::string json_path;            // empty: none
-  std::optional<double> horizon_s;  // only where given
-  EvaluationOptions options;        // protocol and horizon are set by ResolveOptions
+  std::string json_path;                          // empty: none
+  std::optional<double> horizon_s;                // only where given
+  std::map<std::string, std::string> conditions;  // text by ConditionOption::name; empty: none
+  EvaluationOptions options;  // protocol, horizon and conditions are set by ResolveOptions
 };
 
-/// Adds the options of map and team to a subcommand; `arguments` must live as long as it.
+/// Adds the options of map, team and conditions to a subcommand; `arguments` must live as long as
+/// it.
 void AddTeamArguments(CLI::App& command, EvaluationArguments& arguments);
 
 /// Adds those and the others that are shared.
@@ -39,13 +42,12 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments);
 /// A map and what follows from it, made once. Not movable: its context points into it.
 class EvaluationMap {
  public:
-  explicit EvaluationMap(const EvaluationArguments& arguments);
+  /// With the conditions' priorities.
+  EvaluationMap(const EvaluationArguments& arguments, const Conditions& conditions);
   EvaluationMap(const EvaluationMap&) = delete;
   EvaluationMap& operator=(const EvaluationMap&) = delete;
 
   const PatrolGraph& graph() const { return graph_; }
-  const ShortestPaths& paths() const { return paths_; }
-  const ClosedWalk& closed_walk() const { return walk_; }
   StrategyContext context() const {
     return {.graph = &graph_, .paths = &paths_, .closed_walk = &walk_};
   }
@@ -55,10 +57,6 @@ class EvaluationMap {
   ShortestPaths paths_;
   ClosedWalk walk_;
 };
-
-/// Lower bounds for the team; `staying` as in BoundsOptions.
-LowerBounds BoundsOf(const EvaluationMap& map, const EvaluationOptions& options,
-                     bool staying = false);
 
 /// Makes the contestant's strategy; throws where there is none of that name.
 std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,

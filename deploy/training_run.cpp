@@ -53,8 +53,7 @@ double Seconds(Clock::duration duration) { return std::chrono::duration<double>(
 TrainingEvaluatorConfig EvaluatorConfig(const TrainSetup& setup, const RunFolder& folder) {
   TrainingEvaluatorConfig config;
   config.agents = setup.run().agents;
-  config.speed_mps = setup.actor().environment.speed_mps;
-  config.travel_noise = setup.actor().environment.travel_noise;
+  config.conditions = setup.actor().environment.conditions;
   config.episodes = setup.evaluation().episodes;
   config.step = setup.evaluation().step;
   config.seed = kEvaluationSeed + setup.run().seed;
@@ -288,7 +287,7 @@ RunStatus Session::Picture(const Cluster& cluster, Clock::time_point now) const 
   if (const auto yardstick = evaluator_.yardstick()) {
     picture.best_classical = yardstick->strategy;
     picture.best_classical_agi_s = yardstick->agi_s.mean;
-    picture.lower_bound_agi_s = yardstick->bounds.agi_s;
+    if (yardstick->bounds) picture.lower_bound_agi_s = yardstick->bounds->agi_s;
   }
   board_.Fill(cluster.Children(), now, picture);
   if (now - last_transition_ > kQuiet) {

@@ -68,7 +68,7 @@ Row FormatRow(const EvaluationReport& report, const EvaluationReport* best) {
           FormatEstimate(MeanWithInterval(report.result.wi_s())),
           FormatEstimate(MeanWithInterval(report.result.final_s())),
           best == nullptr ? "" : FormatRatio(PairedRatio(Headline(report), Headline(*best))),
-          FormatRatio(RatioToBound(agi_s, report.bounds.agi_s)),
+          report.bounds ? FormatRatio(RatioToBound(agi_s, report.bounds->agi_s)) : "",
           report.ratio_to_random ? fmt::format("{:.2f}", *report.ratio_to_random) : ""};
 }
 
@@ -96,18 +96,19 @@ std::string FormatComparison(std::span<const EvaluationReport> reports) {
   const bool thesis = first.options.protocol == Protocol::kThesis;
   std::vector<Row> rows;
   rows.push_back({"", "knows", "AGI (s)", "WI (s)", "final (s)",
-                  best == nullptr ? "" : "to best classical", "AGI to bound",
+                  best == nullptr ? "" : "to best classical", first.bounds ? "AGI to bound" : "",
                   thesis ? "random to it" : ""});
   for (const EvaluationReport& report : reports) rows.push_back(FormatRow(report, best));
-  rows.push_back({"lower bound", "", FormatSeconds(first.bounds.agi_s),
-                  FormatSeconds(first.bounds.wi_s), "", "", "", ""});
+  if (first.bounds) {
+    rows.push_back({"lower bound", "", FormatSeconds(first.bounds->agi_s),
+                    FormatSeconds(first.bounds->wi_s), "", "", "", ""});
+  }
   std::string text = FormatSetting(first) + "\n" + FormatTable(rows) + "\n";
   if (best != nullptr) {
     text += fmt::format("Best classical strategy by {}: {}; ratios to it are paired by episode.\n",
                         thesis ? "final idleness" : "AGI", best->contestant.name);
   }
-  text += "The bounds hold for unlimited time: a finite window may lie a little below them.\n";
-  return text;
+  return text + FormatBoundsNote(first);
 }
 
 std::string ComparisonAsJson(std::span<const EvaluationReport> reports) {

@@ -1,6 +1,7 @@
 #include "common/evaluation/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +19,45 @@ Json EstimateAsJson(const Estimate& estimate) {
   return json;
 }
 
+template <class T>
+Json OrNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/// All but speed and noise, which stand for themselves.
+Json ConditionsAsJson(const Conditions& conditions) {
+  const Communication& communication = conditions.communication;
+  const Attrition& attrition = conditions.attrition;
+  Json json;
+  json["label"] = Label(conditions);
+  json["message_loss"] = communication.loss();
+  json["message_range_m"] = OrNull(communication.message_range_m);
+  json["message_delay_s"] = communication.message_delay_s;
+  json["observation_radius_m"] = OrNull(communication.observation_radius_m);
+  json["changes"] = Json::array();
+  for (const RobotChange& change : attrition.changes) {
+    json["changes"].push_back({{"robot", change.robot},
+                               {"time_s", change.time_s},
+                               {"event", change.joins ? "join" : "fail"}});
+  }
+  json["mean_time_to_failure_s"] = OrNull(attrition.mean_time_to_failure_s);
+  json["repair_s"] = OrNull(attrition.repair_s);
+  json["priorities"] = Json::object();
+  for (const auto& [vertex, priority] : conditions.priorities) {
+    json["priorities"][vertex] = priority;
+  }
+  json["stay_s"] = conditions.stay_s;
+  return json;
+}
+
+std::string FormatConditions(const Conditions& conditions) {
+  Conditions others = conditions;
+  others.speeds_mps = Conditions().speeds_mps;
+  const std::string label = Label(others);
+  return fmt::format("at {:g} m/s{}{}", fmt::join(conditions.speeds_mps, "/"),
+                     label.empty() ? "" : ", ", label);
+}
+
 std::string FormatProtocol(const EvaluationReport& report) {
   const EvaluationResult& result = report.result;
   if (report.options.protocol == Protocol::kThesis) {
@@ -32,15 +72,22 @@ std::string FormatProtocol(const EvaluationReport& report) {
 
 }  // namespace
 
+Json TeamAsJsonValue(const std::string& map, const EvaluationOptions& options) {
+  const std::vector<double>& speeds_mps = options.conditions.speeds_mps;
+  Json json;
+  json["map"] = map;
+  json["agents"] = options.agents;
+  json["speed_mps"] = speeds_mps.size() == 1 ? Json(speeds_mps.front()) : Json(speeds_mps);
+  json["noise"] = options.conditions.travel_noise;
+  json["conditions"] = ConditionsAsJson(options.conditions);
+  return json;
+}
+
 Json ReportAsJsonValue(const EvaluationReport& report) {
   const EvaluationResult& result = report.result;
-  Json json;
-  json["map"] = report.map;
-  json["agents"] = report.options.agents;
+  Json json = TeamAsJsonValue(report.map, report.options);
   json[report.contestant.kind == ContestantKind::kPolicy ? "policy" : "strategy"] =
       report.contestant.name;
-  json["speed_mps"] = report.options.speed_mps;
-  json["noise"] = report.options.travel_noise;
   json["seed"] = report.options.seed;
   json["protocol"] = ProtocolName(report.options.protocol);
   json["episodes"] = result.episodes.size();
@@ -52,9 +99,17 @@ Json ReportAsJsonValue(const EvaluationReport& report) {
   json["wi_s"] = EstimateAsJson(MeanWithInterval(result.wi_s()));
   json["final_s"] = EstimateAsJson(MeanWithInterval(result.final_s()));
   if (report.ratio_to_random) json["ratio_to_random"] = *report.ratio_to_random;
-  json["lower_bound_agi_s"] = report.bounds.agi_s;
-  json["lower_bound_wi_s"] = report.bounds.wi_s;
+  json["lower_bound_agi_s"] = report.bounds ? Json(report.bounds->agi_s) : Json(nullptr);
+  json["lower_bound_wi_s"] = report.bounds ? Json(report.bounds->wi_s) : Json(nullptr);
   return json;
+}
+
+std::optional<LowerBounds> BoundsOf(const StrategyContext& context,
+                                    const EvaluationOptions& options) {
+  if (options.conditions.attrition.repair_s) return std::nullopt;
+  return ComputeLowerBounds(*context.graph, *context.paths,
+                            {.speeds_mps = SpeedsOf(options.conditions, options.agents),
+                             .staying = options.conditions.stay_s > 0.0});
 }
 
 std::string ReportAsJson(const EvaluationReport& report) {
@@ -71,14 +126,22 @@ std::string FormatEstimate(const Estimate& estimate) {
                      estimate.mean < 1.0 ? 4 : 2);
 }
 
+std::string FormatTeam(const std::string& map, const EvaluationOptions& options) {
+  return fmt::format("{}, {} robot{} {}", map, options.agents, options.agents == 1 ? "" : "s",
+                     FormatConditions(options.conditions));
+}
+
 std::string FormatSetting(const EvaluationReport& report) {
-  return fmt::format(
-      "{}, {} robot{} at {:g} m/s, noise {:g}\n{}\n{} episode{}, seed {}; mean ± 95 % interval "
-      "over "
-      "episodes\n",
-      report.map, report.options.agents, report.options.agents == 1 ? "" : "s",
-      report.options.speed_mps, report.options.travel_noise, FormatProtocol(report),
-      report.options.episodes, report.options.episodes == 1 ? "" : "s", report.options.seed);
+  return fmt::format("{}\n{}\n{} episode{}, seed {}; mean ± 95 % interval over episodes\n",
+                     FormatTeam(report.map, report.options), FormatProtocol(report),
+                     report.options.episodes, report.options.episodes == 1 ? "" : "s",
+                     report.options.seed);
+}
+
+std::string FormatBoundsNote(const EvaluationReport& report) {
+  return report.bounds
+             ? "The bounds hold for unlimited time: a finite window may lie a little below them.\n"
+             : "No bound is known where robots are repaired.\n";
 }
 
 std::string FormatReport(const EvaluationReport& report) {
@@ -87,20 +150,22 @@ std::string FormatReport(const EvaluationReport& report) {
   std::string text = FormatSetting(report);
   text += fmt::format("{} {}, {} decisions\n\n", policy ? "policy" : "strategy",
                       report.contestant.name, result.decisions());
-  text += fmt::format("  average graph idleness  {:>20} s   lower bound {} s\n",
-                      FormatEstimate(MeanWithInterval(result.agi_s())),
-                      FormatSeconds(report.bounds.agi_s));
-  text += fmt::format("  worst idleness          {:>20} s   lower bound {} s\n",
-                      FormatEstimate(MeanWithInterval(result.wi_s())),
-                      FormatSeconds(report.bounds.wi_s));
+  const auto bound = [&](double LowerBounds::*value_s) {
+    return report.bounds
+               ? fmt::format("   lower bound {} s", FormatSeconds(*report.bounds.*value_s))
+               : "";
+  };
+  text += fmt::format("  average graph idleness  {:>20} s{}\n",
+                      FormatEstimate(MeanWithInterval(result.agi_s())), bound(&LowerBounds::agi_s));
+  text += fmt::format("  worst idleness          {:>20} s{}\n",
+                      FormatEstimate(MeanWithInterval(result.wi_s())), bound(&LowerBounds::wi_s));
   text += fmt::format("  final idleness          {:>20} s\n",
                       FormatEstimate(MeanWithInterval(result.final_s())));
   if (report.ratio_to_random) {
     text += fmt::format("  random walk's final idleness over this one's: {:.2f}\n",
                         *report.ratio_to_random);
   }
-  text += "\nThe bounds hold for unlimited time: a finite window may lie a little below them.\n";
-  return text;
+  return text + "\n" + FormatBoundsNote(report);
 }
 
 }  // namespace ronda

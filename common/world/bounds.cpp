@@ -25,11 +25,14 @@ void CheckOptions(const BoundsOptions& options) {
   }
 }
 
-/// The largest, the first among equals.
-const LowerBound& Best(const std::vector<LowerBound>& tried) {
-  return *std::max_element(
-      tried.begin(), tried.end(),
-      [](const LowerBound& a, const LowerBound& b) { return a.value_s < b.value_s; });
+struct Bound {
+  double value_s = 0.0;
+  std::string method;
+};
+
+const Bound& Largest(const std::vector<Bound>& tried) {
+  return *std::max_element(tried.begin(), tried.end(),
+                           [](const Bound& a, const Bound& b) { return a.value_s < b.value_s; });
 }
 
 }  // namespace
@@ -40,33 +43,31 @@ LowerBounds ComputeLowerBounds(const PatrolGraph& graph, const ShortestPaths& pa
   const std::vector<double>& speeds_mps = options.speeds_mps;
   const int robots = static_cast<int>(speeds_mps.size());
   const double total_mps = std::accumulate(speeds_mps.begin(), speeds_mps.end(), 0.0);
-  LowerBounds bounds;
+  std::vector<Bound> agi;
+  std::vector<Bound> wi;
   if (options.staying) {
-    bounds.agi_tried = {
-        {"rates of traversal and shares of parking", ParkingBound_s(graph, speeds_mps)}};
-    bounds.wi_tried = {{"covering linear programme with parking (dual)",
-                        ParkedCoveringBound_s(graph, speeds_mps)}};
+    agi = {{ParkingBound_s(graph, speeds_mps), "rates of traversal and shares of parking"}};
+    wi = {{ParkedCoveringBound_s(graph, speeds_mps), "covering linear programme with parking"}};
   } else {
-    bounds.agi_tried = {{"rates of traversal", FluidBound_m(graph) / total_mps},
-                        {"shortest edge at each vertex", ClosedFormBound_m(graph) / total_mps}};
-    bounds.wi_tried = {{"covering linear programme (dual)", CoveringBound_m(graph) / total_mps}};
+    agi = {{FluidBound_m(graph) / total_mps, "rates of traversal"},
+           {ClosedFormBound_m(graph) / total_mps, "shortest edge at each vertex"}};
+    wi = {{CoveringBound_m(graph) / total_mps, "covering linear programme"}};
   }
-  bounds.agi_s = Best(bounds.agi_tried).value_s;
-  bounds.agi_method = Best(bounds.agi_tried).method;
-  // A vertex of idleness at most WI / w has a mean of at most half of that.
-  bounds.wi_tried.push_back({"twice the bound on the average", 2.0 * bounds.agi_s});
-  bounds.wi_tried.push_back({"minimum spanning tree less its longest edges",
-                             SpanningForestBound_m(graph, paths, robots) / total_mps});
+  const Bound& best_agi = Largest(agi);
+  wi.push_back({2.0 * best_agi.value_s, "twice the bound on the average"});
+  wi.push_back({SpanningForestBound_m(graph, paths, robots) / total_mps,
+                "minimum spanning tree less its longest edges"});
   if (robots == 1) {
-    // Between two visits of the vertex that is visited last, the robot goes round all the others.
     const auto weights = graph.weights();
-    bounds.wi_tried.push_back(
-        {"shortest closed walk", *std::min_element(weights.begin(), weights.end()) *
-                                     ClosedWalkLowerBound(graph, paths).length_m / total_mps});
+    const double least_weight = *std::min_element(weights.begin(), weights.end());
+    wi.push_back({least_weight * ClosedWalkLowerBound(graph, paths).length_m / total_mps,
+                  "shortest closed walk"});
   }
-  bounds.wi_s = Best(bounds.wi_tried).value_s;
-  bounds.wi_method = Best(bounds.wi_tried).method;
-  return bounds;
+  const Bound& best_wi = Largest(wi);
+  return {.agi_s = best_agi.value_s,
+          .agi_method = best_agi.method,
+          .wi_s = best_wi.value_s,
+          .wi_method = best_wi.method};
 }
 
 }  // namespace ronda

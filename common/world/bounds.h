@@ -25,18 +25,11 @@ struct BoundsOptions {
   bool staying = false;            // a robot may stand at a vertex, whose idleness is then 0
 };
 
-struct LowerBound {
-  std::string method;
-  double value_s = 0.0;
-};
-
 struct LowerBounds {
-  double agi_s = 0.0;  // average graph idleness
-  std::string agi_method;
-  double wi_s = 0.0;  // worst idleness
-  std::string wi_method;
-  std::vector<LowerBound> agi_tried;  // of these agi_s is the largest
-  std::vector<LowerBound> wi_tried;
+  double agi_s = 0.0;           // average graph idleness
+  std::string agi_method = {};  // what gave agi_s
+  double wi_s = 0.0;            // worst idleness
+  std::string wi_method = {};
 };
 
 /// `paths` are those of `graph`.

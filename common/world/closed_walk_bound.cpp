@@ -98,7 +98,7 @@ ClosedWalkBound ClosedWalkLowerBound(const PatrolGraph& graph, const ShortestPat
   const std::vector<double> duals_m = CoveringDuals_m(graph);
   const double covering_m = 2.0 * std::accumulate(duals_m.begin(), duals_m.end(), 0.0);
   if (trees_m > covering_m) return {.length_m = trees_m, .method = "1-trees (Held and Karp)"};
-  return {.length_m = covering_m, .method = "covering linear programme (dual)"};
+  return {.length_m = covering_m, .method = "covering linear programme"};
 }
 
 }  // namespace ronda

@@ -23,8 +23,7 @@ EvaluationReport ReportOf(const Contestant& contestant, const std::vector<double
       .options = {.episodes = static_cast<int>(agi_s.size()),
                   .seed = 9,
                   .agents = 3,
-                  .speed_mps = 2.0,
-                  .travel_noise = 0.25},
+                  .conditions = {.speeds_mps = {2.0}, .travel_noise = 0.25}},
       .result = {.t_ref_s = 5.0, .warmup_s = 100.0, .window_s = 300.0, .episodes = {}},
       .bounds = {.agi_s = 2.0, .wi_s = 4.0, .wi_method = ""},
       .ratio_to_random = std::nullopt};
@@ -46,14 +45,16 @@ TEST_CASE("The JSON of a report has the documented keys and values") {
       nlohmann::json::parse(ReportAsJson(ReportOf({.name = "cr"}, {1.0, 2.0, 3.0, 4.0})));
 
   CHECK(Keys(sut) == std::set<std::string>{"map", "agents", "strategy", "speed_mps", "noise",
-                                           "seed", "protocol", "episodes", "t_ref_s", "warmup_s",
-                                           "window_s", "decisions", "agi_s", "wi_s", "final_s",
-                                           "lower_bound_agi_s", "lower_bound_wi_s"});
+                                           "conditions", "seed", "protocol", "episodes", "t_ref_s",
+                                           "warmup_s", "window_s", "decisions", "agi_s", "wi_s",
+                                           "final_s", "lower_bound_agi_s", "lower_bound_wi_s"});
   CHECK(sut["map"] == "somewhere");
   CHECK(sut["agents"] == 3);
   CHECK(sut["strategy"] == "cr");
   CHECK(sut["speed_mps"] == 2.0);
   CHECK(sut["noise"] == 0.25);
+  CHECK(sut["conditions"]["label"] == "speed 2 m/s, noise 0.25");
+  CHECK(sut["conditions"]["message_range_m"].is_null());
   CHECK(sut["seed"] == 9);
   CHECK(sut["protocol"] == "steady");
   CHECK(sut["episodes"] == 4);
