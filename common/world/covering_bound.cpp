@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -35,30 +36,44 @@ Problem CoveringProblem(const PatrolGraph& graph) {
   return problem;
 }
 
-/// With shares π of parking the rows ask for 2 w_v (1 − π_v) and the speed is Σ s − s_min Σ π. The
-/// quotient of length and speed becomes linear (Charnes & Cooper 1962) with τ = 1 / speed: rows
-/// Σ x + 2 w_v π_v − 2 w_v τ ≥ 0, and one more, τ Σ s − s_min Σ π ≥ 1.
-void AddParking(glp_prob* problem, const PatrolGraph& graph, double total_mps, double slowest_mps) {
+/// With shares π_v of parking the rows ask for 2 w_v (1 − π_v), and the robots of each speed, who
+/// park for q in all, lose q times that speed. The quotient of length and speed becomes linear
+/// (Charnes & Cooper 1962) when x, π and q are multiplied by τ = 1 / speed.
+void AddParking(glp_prob* problem, const PatrolGraph& graph, std::span<const double> speeds_mps) {
+  std::map<double, int> robots_of;  // by speed
+  for (const double speed_mps : speeds_mps) ++robots_of[speed_mps];
   const int vertices = graph.vertex_count();
-  const int speed_row = glp_add_rows(problem, 1);
-  glp_set_row_bnds(problem, speed_row, GLP_LO, 1.0, 0.0);
-  const int first = glp_add_cols(problem, vertices + 1);
-  std::vector<int> rows{0};  // those of τ
-  std::vector<double> coefficients{0.0};
+  const int kinds = static_cast<int>(robots_of.size());
+  const int speed_row = glp_add_rows(problem, 2 + kinds);  // τ Σ s − Σ s q ≥ 1
+  const int shares_row = speed_row + 1;                    // Σ q − Σ π ≥ 0
+  const int parking = glp_add_cols(problem, vertices + kinds + 1);
+  const int inverse = parking + vertices + kinds;  // τ
+  const auto column = [&](int number, std::vector<int> rows, std::vector<double> coefficients) {
+    glp_set_col_bnds(problem, number, GLP_LO, 0.0, 0.0);
+    glp_set_mat_col(problem, number, static_cast<int>(rows.size()) - 1, rows.data(),
+                    coefficients.data());
+  };
+  std::vector<int> rows{0, speed_row};  // those of τ
+  std::vector<double> coefficients{0.0, std::accumulate(speeds_mps.begin(), speeds_mps.end(), 0.0)};
   for (int v = 0; v < vertices; ++v) {
     const double visits = 2.0 * graph.weights()[v];
-    const int parking_rows[] = {0, v + 1, speed_row};
-    const double parking_coefficients[] = {0.0, visits, -slowest_mps};
-    glp_set_row_bnds(problem, v + 1, GLP_LO, 0.0, 0.0);
-    glp_set_col_bnds(problem, first + v, GLP_LO, 0.0, 0.0);
-    glp_set_mat_col(problem, first + v, 2, parking_rows, parking_coefficients);
+    glp_set_row_bnds(problem, v + 1, GLP_LO, 0.0, 0.0);  // Σ x + 2 w π − 2 w τ ≥ 0
+    column(parking + v, {0, v + 1, shares_row}, {0.0, visits, -1.0});
     rows.push_back(v + 1);
     coefficients.push_back(-visits);
   }
-  rows.push_back(speed_row);
-  coefficients.push_back(total_mps);
-  glp_set_col_bnds(problem, first + vertices, GLP_LO, 0.0, 0.0);
-  glp_set_mat_col(problem, first + vertices, vertices + 1, rows.data(), coefficients.data());
+  int kind = 0;
+  for (const auto& [speed_mps, robots] : robots_of) {
+    const int kind_row = shares_row + ++kind;  // robots τ − q ≥ 0
+    glp_set_row_bnds(problem, kind_row, GLP_LO, 0.0, 0.0);
+    column(parking + vertices + kind - 1, {0, speed_row, shares_row, kind_row},
+           {0.0, -speed_mps, 1.0, -1.0});
+    rows.push_back(kind_row);
+    coefficients.push_back(robots);
+  }
+  glp_set_row_bnds(problem, speed_row, GLP_LO, 1.0, 0.0);
+  glp_set_row_bnds(problem, shares_row, GLP_LO, 0.0, 0.0);
+  column(inverse, std::move(rows), std::move(coefficients));
 }
 
 /// The duals of the vertices' rows as the solver leaves them, made feasible. All costs are
@@ -106,11 +121,12 @@ double ParkedCoveringBoundOf_s(const PatrolGraph& graph, std::span<const double>
   std::vector<double> speeds(speeds_mps.begin(), speeds_mps.end());
   std::sort(speeds.begin(), speeds.end(), std::greater<>());
   if (speeds.size() >= demands_m.size()) return 0.0;
-  // For some k, the k slowest park at the k vertices that demand most and the others do the rest.
+  // At least one robot moves, since no N vertices are all. The quotient is least where, for some
+  // k < N, the k slowest park at the k vertices that demand most.
   const auto count = static_cast<std::ptrdiff_t>(demands_m.size() - speeds.size());
   double left_m = std::accumulate(demands_m.begin(), demands_m.begin() + count, 0.0);
   double left_mps = 0.0;
-  double least_s = left_m > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;  // all N park
+  double least_s = std::numeric_limits<double>::infinity();
   for (std::size_t moving = 0; moving < speeds.size(); ++moving) {
     left_m += demands_m[demands_m.size() - speeds.size() + moving];
     left_mps += speeds[moving];
@@ -129,8 +145,7 @@ double CoveringBound_m(const PatrolGraph& graph) {
 
 double ParkedCoveringBound_s(const PatrolGraph& graph, std::span<const double> speeds_mps) {
   const Problem problem = CoveringProblem(graph);
-  AddParking(problem.get(), graph, std::accumulate(speeds_mps.begin(), speeds_mps.end(), 0.0),
-             *std::min_element(speeds_mps.begin(), speeds_mps.end()));
+  AddParking(problem.get(), graph, speeds_mps);
   return ParkedCoveringBoundOf_s(graph, speeds_mps, SolvedDuals_m(graph, problem.get()));
 }
 

@@ -16,9 +16,8 @@ namespace ronda {
 /// Robots that keep moving, times the sum of their speeds: WI ≥ this / Σ speeds.
 double CoveringBound_m(const PatrolGraph& graph);
 
-/// Robots that may also stand still at vertices. 0 where there is a robot for each vertex. Where
-/// speeds differ the search takes each robot for the slowest; what it finds is judged by all
-/// speeds.
+/// Robots that may also stand still at vertices, which the slowest lose least by. 0 where there is
+/// a robot for each vertex.
 double ParkedCoveringBound_s(const PatrolGraph& graph, std::span<const double> speeds_mps);
 
 /// The parts. Feasible duals as good as the solver made them, (V); a closed walk through all

@@ -25,7 +25,7 @@ EvaluationReport ReportOf(const Contestant& contestant, const std::vector<double
                   .agents = 3,
                   .conditions = {.speeds_mps = {2.0}, .travel_noise = 0.25}},
       .result = {.t_ref_s = 5.0, .warmup_s = 100.0, .window_s = 300.0, .episodes = {}},
-      .bounds = {.agi_s = 2.0, .wi_s = 4.0, .wi_method = ""},
+      .bounds = LowerBounds{.agi_s = 2.0, .wi_s = 4.0},
       .ratio_to_random = std::nullopt};
   for (const double agi : agi_s) {
     report.result.episodes.push_back(
@@ -82,6 +82,22 @@ TEST_CASE("One episode has a null interval, a policy its own key, the thesis pro
   CHECK_FALSE(sut.contains("strategy"));
   CHECK(sut["protocol"] == "thesis");
   CHECK(sut["ratio_to_random"] == 3.5);
+}
+
+TEST_CASE("Where no bound is known none is printed, and it is said why") {
+  auto report = ReportOf({.name = "cr"}, {1.0, 2.0});
+  report.bounds.reset();
+
+  const auto json = nlohmann::json::parse(ReportAsJson(report));
+  const std::string text = FormatReport(report);
+  const std::string table = FormatComparison(std::vector<EvaluationReport>{report});
+
+  CHECK(json["lower_bound_agi_s"].is_null());
+  CHECK(json["lower_bound_wi_s"].is_null());
+  for (const std::string& sut : {text, table}) {
+    CHECK_THAT(sut, !Catch::Contains("lower bound") && !Catch::Contains("AGI to bound") &&
+                        Catch::Contains("No bound is known where robots are repaired"));
+  }
 }
 
 TEST_CASE("The text of a report names protocol, window, episodes, seed, noise and bounds") {
