@@ -140,7 +140,7 @@ std::string FormatSetting(const EvaluationReport& report) {
 
 std::string FormatBoundsNote(const EvaluationReport& report) {
   return report.bounds
-             ? "The bounds hold for unlimited time: a finite window may lie a little below them.\n"
+             ? "The bounds hold for unlimited time: a window may lie below them, a short one far.\n"
              : "No bound is known where robots are repaired.\n";
 }
 

@@ -4,14 +4,12 @@
 // They hold for unlimited time and for robots that each move along edges at a speed of their own;
 // `staying` says whether they may also stand still at a vertex. Idleness counts by the graph's
 // weights: AGI is the mean of w_v I_v, WI the largest. Every value is a certificate: however early
-// or badly an optimiser stopped, it is a bound.
+// or badly an optimiser stopped, it is a bound. Of robots that keep moving only the sum of the
+// speeds counts; of those that may stand, the bounds let the slowest do so.
 //
-// Only the sum of the speeds counts for robots that keep moving. Of robots that may stand, the
-// bounds let the slowest do so. Throws InputError when there is no robot, or when a speed is not
-// positive and finite. Pure functions. On one core: some milliseconds for the shipped maps, below
-// 0.2 s at V = 200, a second or two at V = 1000; from there it grows with V² where there are
-// priorities or one robot, else about with the number of edges. Nothing is skipped. Source:
-// docs/bounds.md.
+// Throws InputError when there is no robot, or when a speed is not positive and finite. Pure
+// functions. A few milliseconds for the shipped maps, about a second at V = 1000, from where it
+// grows with V² where there are priorities or one robot. Source: docs/bounds.md.
 #include <string>
 #include <vector>
 
