@@ -36,8 +36,9 @@ def draw_learning_curve(run: pathlib.Path, out: pathlib.Path) -> None:
     axes.axhline(best_classical, color="#b2561f", linestyle="--",
                  label=f"best classical: {summary['best_classical']}, {best_classical:.2f} s")
     bound = summary["lower_bound_agi_s"]
-    axes.axhline(bound, color="#555555", linestyle=":", label=f"lower bound, {bound:.2f} s")
-    axes.set_ylim(0.95 * bound, max(1.6 * best_classical, 1.05 * min(agi)))
+    if bound is not None:
+        axes.axhline(bound, color="#555555", linestyle=":", label=f"lower bound, {bound:.2f} s")
+    axes.set_ylim(0.95 * (bound or min(agi)), max(1.6 * best_classical, 1.05 * min(agi)))
     axes.set_xlabel("training time (s)")
     axes.set_ylabel("average graph idleness (s)")
     axes.set_title(f"{summary['map']}, {summary['agents']} robots")

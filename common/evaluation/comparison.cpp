@@ -48,15 +48,17 @@ std::vector<double> Headline(const EvaluationReport& report) {
                                                       : report.result.agi_s();
 }
 
-Estimate RatioToBound(const Estimate& estimate, double bound) {
-  Estimate ratio{.mean = estimate.mean / bound, .ci95 = estimate.ci95};
-  if (ratio.ci95) *ratio.ci95 /= bound;
-  return ratio;
-}
-
 std::string FormatRatio(const Estimate& ratio) {
   if (!ratio.ci95) return fmt::format("{:.3f}", ratio.mean);
   return fmt::format("{:.3f} ± {:.3f}", ratio.mean, *ratio.ci95);
+}
+
+/// Nothing where the bound is none, or 0.
+std::string FormatRatioToBound(Estimate agi_s, const std::optional<LowerBounds>& bounds) {
+  if (!bounds || bounds->agi_s == 0.0) return "";
+  agi_s.mean /= bounds->agi_s;
+  if (agi_s.ci95) *agi_s.ci95 /= bounds->agi_s;
+  return FormatRatio(agi_s);
 }
 
 Row FormatRow(const EvaluationReport& report, const EvaluationReport* best) {
@@ -68,7 +70,7 @@ Row FormatRow(const EvaluationReport& report, const EvaluationReport* best) {
           FormatEstimate(MeanWithInterval(report.result.wi_s())),
           FormatEstimate(MeanWithInterval(report.result.final_s())),
           best == nullptr ? "" : FormatRatio(PairedRatio(Headline(report), Headline(*best))),
-          report.bounds ? FormatRatio(RatioToBound(agi_s, report.bounds->agi_s)) : "",
+          FormatRatioToBound(agi_s, report.bounds),
           report.ratio_to_random ? fmt::format("{:.2f}", *report.ratio_to_random) : ""};
 }
 

@@ -100,6 +100,13 @@ TEST_CASE("Where no bound is known none is printed, and it is said why") {
   }
 }
 
+TEST_CASE("Comparison: nothing is compared to a bound of 0") {
+  auto report = ReportOf({.name = "cr"}, {1.0, 2.0});
+  report.bounds = LowerBounds{};
+  const std::string sut = FormatComparison(std::vector<EvaluationReport>{report});
+  CHECK_THAT(sut, Catch::Contains("lower bound") && !Catch::Contains("inf"));
+}
+
 TEST_CASE("The text of a report names protocol, window, episodes, seed, noise and bounds") {
   const std::string sut = FormatReport(ReportOf({.name = "cr"}, {1.0, 2.0, 3.0, 4.0}));
 
