@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "common/base/check.h"
-#include "common/evaluation/report_json.h"
 
 namespace ronda {
 namespace {
@@ -48,27 +46,21 @@ std::vector<double> Headline(const EvaluationReport& report) {
                                                       : report.result.agi_s();
 }
 
-Estimate RatioToBound(const Estimate& estimate, double bound) {
-  Estimate ratio{.mean = estimate.mean / bound, .ci95 = estimate.ci95};
-  if (ratio.ci95) *ratio.ci95 /= bound;
-  return ratio;
-}
-
 std::string FormatRatio(const Estimate& ratio) {
   if (!ratio.ci95) return fmt::format("{:.3f}", ratio.mean);
   return fmt::format("{:.3f} ± {:.3f}", ratio.mean, *ratio.ci95);
 }
 
 Row FormatRow(const EvaluationReport& report, const EvaluationReport* best) {
-  const Estimate agi_s = MeanWithInterval(report.result.agi_s());
+  const Ratios ratios = RatiosOf(report, best);
   const bool policy = report.contestant.kind == ContestantKind::kPolicy;
   return {report.contestant.name,
           policy ? "as trained" : StrategyKnowledge(report.contestant.name),
-          FormatEstimate(agi_s),
+          FormatEstimate(MeanWithInterval(report.result.agi_s())),
           FormatEstimate(MeanWithInterval(report.result.wi_s())),
           FormatEstimate(MeanWithInterval(report.result.final_s())),
-          best == nullptr ? "" : FormatRatio(PairedRatio(Headline(report), Headline(*best))),
-          FormatRatio(RatioToBound(agi_s, report.bounds.agi_s)),
+          ratios.to_best_classical ? FormatRatio(*ratios.to_best_classical) : "",
+          FormatRatio(ratios.agi_to_bound),
           report.ratio_to_random ? fmt::format("{:.2f}", *report.ratio_to_random) : ""};
 }
 
@@ -86,6 +78,14 @@ std::optional<std::size_t> BestClassical(std::span<const EvaluationReport> repor
     }
   }
   return best;
+}
+
+Ratios RatiosOf(const EvaluationReport& report, const EvaluationReport* best) {
+  Ratios ratios;
+  if (best != nullptr) ratios.to_best_classical = PairedRatio(Headline(report), Headline(*best));
+  ratios.agi_to_bound = Over(MeanWithInterval(report.result.agi_s()), report.bounds.agi_s);
+  ratios.wi_to_bound = Over(MeanWithInterval(report.result.wi_s()), report.bounds.wi_s);
+  return ratios;
 }
 
 std::string FormatComparison(std::span<const EvaluationReport> reports) {
@@ -108,12 +108,6 @@ std::string FormatComparison(std::span<const EvaluationReport> reports) {
   }
   text += "The bounds hold for unlimited time: a finite window may lie a little below them.\n";
   return text;
-}
-
-std::string ComparisonAsJson(std::span<const EvaluationReport> reports) {
-  auto list = nlohmann::ordered_json::array();
-  for (const EvaluationReport& report : reports) list.push_back(ReportAsJsonValue(report));
-  return list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace ronda

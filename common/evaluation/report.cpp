@@ -11,10 +11,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json EstimateAsJson(const Estimate& estimate) {
-  Json json;
-  json["mean"] = estimate.mean;
-  json["ci95"] = estimate.ci95 ? Json(*estimate.ci95) : Json(nullptr);
+Json SampleAsJson(const std::vector<double>& values) {
+  Json json = EstimateAsJson(MeanWithInterval(values));
+  const auto deviation = StandardDeviation(values);
+  json["sd"] = deviation ? Json(*deviation) : Json(nullptr);
   return json;
 }
 
@@ -32,25 +32,36 @@ std::string FormatProtocol(const EvaluationReport& report) {
 
 }  // namespace
 
-Json ReportAsJsonValue(const EvaluationReport& report) {
-  const EvaluationResult& result = report.result;
+Json EstimateAsJson(const Estimate& estimate) {
+  Json json;
+  json["mean"] = estimate.mean;
+  json["ci95"] = estimate.ci95 ? Json(*estimate.ci95) : Json(nullptr);
+  return json;
+}
+
+Json SettingAsJson(const EvaluationReport& report) {
   Json json;
   json["map"] = report.map;
   json["agents"] = report.options.agents;
-  json[report.contestant.kind == ContestantKind::kPolicy ? "policy" : "strategy"] =
-      report.contestant.name;
+  json[KindName(report.contestant.kind)] = report.contestant.name;
   json["speed_mps"] = report.options.speed_mps;
   json["noise"] = report.options.travel_noise;
   json["seed"] = report.options.seed;
   json["protocol"] = ProtocolName(report.options.protocol);
-  json["episodes"] = result.episodes.size();
+  json["episodes"] = report.options.episodes;
+  return json;
+}
+
+Json ReportAsJsonValue(const EvaluationReport& report) {
+  const EvaluationResult& result = report.result;
+  Json json = SettingAsJson(report);
   json["t_ref_s"] = result.t_ref_s;
   json["warmup_s"] = result.warmup_s;
   json["window_s"] = result.window_s;
   json["decisions"] = result.decisions();
-  json["agi_s"] = EstimateAsJson(MeanWithInterval(result.agi_s()));
-  json["wi_s"] = EstimateAsJson(MeanWithInterval(result.wi_s()));
-  json["final_s"] = EstimateAsJson(MeanWithInterval(result.final_s()));
+  json["agi_s"] = SampleAsJson(result.agi_s());
+  json["wi_s"] = SampleAsJson(result.wi_s());
+  json["final_s"] = SampleAsJson(result.final_s());
   if (report.ratio_to_random) json["ratio_to_random"] = *report.ratio_to_random;
   json["lower_bound_agi_s"] = report.bounds.agi_s;
   json["lower_bound_wi_s"] = report.bounds.wi_s;
@@ -59,6 +70,14 @@ Json ReportAsJsonValue(const EvaluationReport& report) {
 
 std::string ReportAsJson(const EvaluationReport& report) {
   return ReportAsJsonValue(report).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+const char* KindName(ContestantKind kind) {
+  return kind == ContestantKind::kPolicy ? "policy" : "strategy";
+}
+
+std::string ConditionLabel(const EvaluationOptions& options) {
+  return options.travel_noise > 0.0 ? fmt::format("noise {:g}", options.travel_noise) : "";
 }
 
 std::string FormatSeconds(double seconds) {
@@ -83,9 +102,8 @@ std::string FormatSetting(const EvaluationReport& report) {
 
 std::string FormatReport(const EvaluationReport& report) {
   const EvaluationResult& result = report.result;
-  const bool policy = report.contestant.kind == ContestantKind::kPolicy;
   std::string text = FormatSetting(report);
-  text += fmt::format("{} {}, {} decisions\n\n", policy ? "policy" : "strategy",
+  text += fmt::format("{} {}, {} decisions\n\n", KindName(report.contestant.kind),
                       report.contestant.name, result.decisions());
   text += fmt::format("  average graph idleness  {:>20} s   lower bound {} s\n",
                       FormatEstimate(MeanWithInterval(result.agi_s())),

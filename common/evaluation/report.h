@@ -12,11 +12,18 @@ namespace ronda {
 
 enum class ContestantKind { kStrategy, kPolicy };
 
+const char* KindName(ContestantKind kind);  // strategy | policy
+
 /// Who is judged, as the user named it.
 struct Contestant {
   ContestantKind kind = ContestantKind::kStrategy;
   std::string name;
+  friend bool operator==(const Contestant&, const Contestant&) = default;
 };
+
+/// In what a setting differs from the plain case, beside map and team size: "noise 0.1"; "" where
+/// in nothing.
+std::string ConditionLabel(const EvaluationOptions& options);
 
 struct EvaluationReport {
   std::string map;  // as the user named it

@@ -7,6 +7,11 @@
 
 namespace ronda {
 
+/// The first keys of a report: what was judged on what, without any result.
+nlohmann::ordered_json SettingAsJson(const EvaluationReport& report);
+
+nlohmann::ordered_json EstimateAsJson(const Estimate& estimate);
+
 nlohmann::ordered_json ReportAsJsonValue(const EvaluationReport& report);
 
 }  // namespace ronda

@@ -18,15 +18,28 @@ double Mean(std::span<const double> values) {
 
 }  // namespace
 
-Estimate MeanWithInterval(std::span<const double> values) {
+std::optional<double> StandardDeviation(std::span<const double> values) {
   const double mean = Mean(values);
-  if (values.size() == 1) return {.mean = mean, .ci95 = std::nullopt};
+  if (values.size() == 1) return std::nullopt;
   double squares = 0.0;
   for (const double value : values) squares += (value - mean) * (value - mean);
-  const auto count = static_cast<double>(values.size());
-  const double standard_error = std::sqrt(squares / (count - 1.0) / count);
-  const double quantile = boost::math::quantile(boost::math::students_t(count - 1.0), 0.975);
-  return {.mean = mean, .ci95 = quantile * standard_error};
+  return std::sqrt(squares / (static_cast<double>(values.size()) - 1.0));
+}
+
+Estimate MeanWithInterval(std::span<const double> values) {
+  Estimate estimate{.mean = Mean(values), .ci95 = std::nullopt};
+  if (const auto deviation = StandardDeviation(values)) {
+    const auto count = static_cast<double>(values.size());
+    const double quantile = boost::math::quantile(boost::math::students_t(count - 1.0), 0.975);
+    estimate.ci95 = quantile * *deviation / std::sqrt(count);
+  }
+  return estimate;
+}
+
+Estimate Over(const Estimate& estimate, double divisor) {
+  Estimate quotient{.mean = estimate.mean / divisor, .ci95 = estimate.ci95};
+  if (quotient.ci95) *quotient.ci95 /= divisor;
+  return quotient;
 }
 
 Estimate PairedRatio(std::span<const double> numerators, std::span<const double> denominators) {

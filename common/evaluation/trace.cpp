@@ -7,6 +7,7 @@
 #include "common/evaluation/csv_field.h"
 
 namespace ronda {
+
 TraceWriter::TraceWriter(const std::filesystem::path& path, const PatrolGraph& graph,
                          std::string map)
     : file_(path), map_(std::move(map)) {

@@ -16,7 +16,8 @@ namespace {
 
 [[noreturn]] void Refuse(const std::filesystem::path& path, const std::string& kind,
                          const std::string& reason) {
-  throw InputError(fmt::format("{}: {} cannot be made or written: {}", path.string(), kind, reason));
+  throw InputError(
+      fmt::format("{}: {} cannot be made or written: {}", path.string(), kind, reason));
 }
 
 [[noreturn]] void RefuseInUse(const std::filesystem::path& path, const std::string& kind,

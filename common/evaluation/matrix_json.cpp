@@ -1,0 +1,29 @@
+#include "common/evaluation/matrix_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "common/evaluation/report_json.h"
+
+namespace ronda {
+
+std::string MatrixAsJson(const Matrix& matrix) {
+  using Json = nlohmann::ordered_json;
+  auto list = Json::array();
+  for (const Comparison& comparison : matrix) {
+    const EvaluationReport* best = BestClassicalOf(comparison);
+    for (const EvaluationReport& report : comparison) {
+      const Ratios ratios = RatiosOf(report, best);
+      Json json = ReportAsJsonValue(report);
+      json["condition"] = ConditionLabel(report.options);
+      json["best_classical"] = best == nullptr ? Json(nullptr) : Json(best->contestant.name);
+      json["to_best_classical"] =
+          ratios.to_best_classical ? EstimateAsJson(*ratios.to_best_classical) : Json(nullptr);
+      json["agi_to_lower_bound"] = EstimateAsJson(ratios.agi_to_bound);
+      json["wi_to_lower_bound"] = EstimateAsJson(ratios.wi_to_bound);
+      list.push_back(std::move(json));
+    }
+  }
+  return list.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace ronda

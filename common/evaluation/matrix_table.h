@@ -1,0 +1,48 @@
+#pragma once
+// One metric of one panel as a table of estimates: rows are contestants, columns team sizes.
+//
+// What every rendering shares (matrix_markdown.h, the terminal's). Pure.
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/evaluation/matrix.h"
+
+namespace ronda {
+
+enum class Metric { kAgi, kWi, kFinal };
+
+/// What figures are given as: themselves, or ratios.
+enum class RatioTo {
+  kNothing,        // seconds
+  kBound,          // to the lower bound; the final idleness, which has none, stays in seconds
+  kBestClassical,  // to the best classical strategy of the setting, paired by episode
+};
+
+struct MatrixTable {
+  std::string title;        // "AGI (s)", "WI to the lower bound"
+  std::vector<int> agents;  // (columns)
+  struct Row {
+    std::string contestant;
+    std::vector<Estimate> values;  // (columns)
+  };
+  std::vector<Row> rows;
+  std::vector<std::size_t> best;    // (columns) the row with the least mean
+  std::vector<double> lower_bound;  // (columns), or empty where there is none
+};
+
+/// The headline figure first.
+std::vector<Metric> MetricsOf(Protocol protocol);
+
+/// kBestClassical needs a classical strategy among the contestants, else a bug.
+MatrixTable TableOf(std::span<const Comparison> panel, Metric metric, RatioTo ratio_to);
+
+/// Decimals under which a table's means are told apart: 4 below 1, 2 below 100, else 1.
+int DecimalsOf(const MatrixTable& table);
+
+/// "steady protocol: warm-up 20 T_ref, window 60 T_ref (cumberland, 4 robots: …); 20 episodes …"
+/// without a line end.
+std::string DescribeProtocol(std::span<const Comparison> panel);
+
+}  // namespace ronda
