@@ -19,7 +19,7 @@ struct EvaluateArguments : EvaluationArguments {
 
 void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop) {
   const EvaluationOptions options = ResolveOptions(arguments);
-  const EvaluationMap map(arguments);
+  const EvaluationMap map(arguments.map, arguments.length);
   const Contestant contestant =
       arguments.policy.empty()
           ? Contestant{.kind = ContestantKind::kStrategy, .name = arguments.strategy}
@@ -63,7 +63,8 @@ void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop
 void AddEvaluateCommand(CLI::App& app, std::stop_token stop) {
   auto arguments = std::make_shared<EvaluateArguments>();
   CLI::App* command = app.add_subcommand("evaluate", "judge one policy or strategy on one map");
-  AddEvaluationArguments(*command, *arguments);
+  AddSettingArguments(*command, *arguments);
+  AddProtocolArguments(*command, *arguments);
   auto* contestant = command->add_option_group("contestant");
   contestant->add_option("--policy", arguments->policy,
                          "a run folder, a policy file or a shipped policy's name");

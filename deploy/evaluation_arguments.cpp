@@ -14,17 +14,28 @@
 namespace ronda {
 namespace {
 
-PatrolGraph LoadWithWarnings(const EvaluationArguments& arguments) {
+PatrolGraph LoadWithWarnings(const std::string& map, const std::string& length) {
   std::vector<std::string> warnings;
-  PatrolGraph graph =
-      LoadMap(arguments.map, MapsFolder(), ParseEdgeLengthSource(arguments.length), &warnings);
+  PatrolGraph graph = LoadMap(map, MapsFolder(), ParseEdgeLengthSource(length), &warnings);
   for (const std::string& warning : warnings) fmt::print(stderr, "ronda: warning: {}\n", warning);
   return graph;
 }
 
 }  // namespace
 
-void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
+void AddSettingArguments(CLI::App& command, EvaluationArguments& arguments) {
+  EvaluationOptions& options = arguments.options;
+  command
+      .add_option("--map", arguments.map, "a map file (.graph or .json), or a shipped map's name")
+      ->required();
+  command.add_option("--agents", options.agents, "number of robots, 1 … 10000")->required();
+  command
+      .add_option("--noise", options.travel_noise,
+                  "σ of travel times: each takes length/speed · exp(σZ − σ²/2)")
+      ->capture_default_str();
+}
+
+void AddProtocolArguments(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationOptions& options = arguments.options;
   // CLI11 reads "-1" into an unsigned number without complaint.
   const CLI::Validator not_negative(
@@ -32,10 +43,6 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
         return text.starts_with('-') ? "must be 0 or more, got " + text : std::string();
       },
       "");
-  command
-      .add_option("--map", arguments.map, "a map file (.graph or .json), or a shipped map's name")
-      ->required();
-  command.add_option("--agents", options.agents, "number of robots, 1 … 10000")->required();
   command.add_option("--protocol", arguments.protocol, "steady or thesis")
       ->check(CLI::IsMember({"steady", "thesis"}))
       ->capture_default_str();
@@ -47,10 +54,6 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
       ->check(not_negative)
       ->capture_default_str();
   command.add_option("--speed", options.speed_mps, "of every robot, m/s")->capture_default_str();
-  command
-      .add_option("--noise", options.travel_noise,
-                  "σ of travel times: each takes length/speed · exp(σZ − σ²/2)")
-      ->capture_default_str();
   command
       .add_option("--length", arguments.length,
                   "edge lengths: euclidean, or file (the cost column of a .graph file)")
@@ -70,8 +73,8 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {
   return options;
 }
 
-EvaluationMap::EvaluationMap(const EvaluationArguments& arguments)
-    : graph_(LoadWithWarnings(arguments)), paths_(graph_), walk_(ClosedWalkOf(graph_, paths_)) {}
+EvaluationMap::EvaluationMap(const std::string& map, const std::string& length)
+    : graph_(LoadWithWarnings(map, length)), paths_(graph_), walk_(ClosedWalkOf(graph_, paths_)) {}
 
 std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,
                                          const StrategyContext& context) {

@@ -27,8 +27,11 @@ struct EvaluationArguments {
   EvaluationOptions options;        // protocol and horizon are set by ResolveOptions
 };
 
-/// Adds the shared options to a subcommand; `arguments` must live as long as it.
-void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments);
+/// Adds a subcommand's options of one setting: map, team and conditions. `arguments` must live as
+/// long as it.
+void AddSettingArguments(CLI::App& command, EvaluationArguments& arguments);
+/// Adds those of all settings: protocol, episodes, seed, speed, lengths, JSON.
+void AddProtocolArguments(CLI::App& command, EvaluationArguments& arguments);
 
 /// The options that the arguments stand for, checked.
 EvaluationOptions ResolveOptions(const EvaluationArguments& arguments);
@@ -36,7 +39,8 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments);
 /// A map and what follows from it, made once. Not movable: its context points into it.
 class EvaluationMap {
  public:
-  explicit EvaluationMap(const EvaluationArguments& arguments);
+  /// `map` as the user named it, `length` as the option.
+  EvaluationMap(const std::string& map, const std::string& length);
   EvaluationMap(const EvaluationMap&) = delete;
   EvaluationMap& operator=(const EvaluationMap&) = delete;
 

@@ -77,7 +77,7 @@ const char* KindName(ContestantKind kind) {
 }
 
 std::string ConditionLabel(const EvaluationOptions& options) {
-  return options.travel_noise > 0.0 ? fmt::format("noise {:g}", options.travel_noise) : "";
+  return options.travel_noise > 0.0 ? fmt::format("noise {}", options.travel_noise) : "";
 }
 
 std::string FormatSeconds(double seconds) {
