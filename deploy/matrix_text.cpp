@@ -106,8 +106,8 @@ std::string MatrixAsText(const Matrix& matrix, const MatrixLook& look) {
     text += "\n";
   }
   return text +
-         "Means over episodes by number N of robots; * is the best. Intervals: --format markdown, "
-         "csv or json.\n";
+         "Means over episodes, N robots; * is the best. Intervals: --format markdown, csv or "
+         "json.\n";
 }
 
 }  // namespace ronda

@@ -91,8 +91,8 @@ std::string DescribeProtocol(std::span<const Comparison> panel) {
   if (options.protocol == Protocol::kThesis) {
     text += fmt::format("from zero idleness to {:g} s", options.horizon_s);
   } else {
-    text += fmt::format("warm-up {:g} T_ref, window {:g} T_ref, T_ref {:.6g} s / N", kWarmupTref,
-                        kWindowTref, first.result.t_ref_s * options.agents);
+    text += fmt::format("warm-up {:g}, window {:g} T_ref of {:.5g} s / N", kWarmupTref, kWindowTref,
+                        first.result.t_ref_s * options.agents);
   }
   return text + fmt::format("; robots at {:g} m/s; {} episode{} of seed {}", options.speed_mps,
                             options.episodes, options.episodes == 1 ? "" : "s", options.seed);

@@ -41,8 +41,8 @@ MatrixTable TableOf(std::span<const Comparison> panel, Metric metric, RatioTo ra
 /// Decimals under which a table's means are told apart: 4 below 1, 2 below 100, else 1.
 int DecimalsOf(const MatrixTable& table);
 
-/// "steady protocol: warm-up 20 T_ref, window 60 T_ref, T_ref 373 s / N; robots at 1 m/s; 20
-/// episodes of seed 1": what the settings of a panel share.
+/// "steady protocol: warm-up 20, window 60 T_ref of 373.31 s / N; robots at 1 m/s; 20 episodes of
+/// seed 1": what the settings of a panel share.
 std::string DescribeProtocol(std::span<const Comparison> panel);
 
 }  // namespace ronda

@@ -11,6 +11,7 @@
 #include "common/base/whole_file.h"
 #include "common/run/folder_lock.h"
 #include "tests/temporary_folder.h"
+#include "tests/unit/random_policy.h"
 #include "tests/unit/ronda_program.h"
 
 namespace ronda {
@@ -148,6 +149,41 @@ TEST_CASE("Bad lists end with status 2, the option and the value, before anythin
     CHECK_THAT(result.output, Catch::Contains(bad.says));
   }
   CHECK(Ronda("compare --map 4nodes,atlantis --agents 2 --strategies cr").status == 3);
+}
+
+TEST_CASE("A policy for another team is refused by map, team and name before anything is played") {
+  const TemporaryFolder folder;
+  const std::string policy = (folder / "matrix.ronda").string();
+  const testing::EvaluationMap map("4nodes");
+  WritePolicyFile(policy, testing::RandomPolicy(ObservationScheme::kMatrix, map, 2));
+  const std::string compare =
+      "compare --map 4nodes --policy " + policy + " --strategies cr --episodes 2 --format csv ";
+
+  const auto refused = Ronda(compare + "--agents 2,3 --out " + (folder / "out").string());
+  CHECK(refused.status == 3);
+  CHECK_THAT(refused.output, Catch::Contains("4nodes, 3 robots: " + policy) &&
+                                 Catch::Contains("a team of 2 robots, this one has 3"));
+  CHECK_FALSE(std::filesystem::exists(folder / "out"));
+  CHECK(LinesOf(Ronda(compare + "--agents 2").output).size() == 3);
+}
+
+TEST_CASE("A policy that was trained further is played again, the strategies beside it are not") {
+  const TemporaryFolder folder;
+  const std::string policy = (folder / "a.ronda").string();
+  const testing::EvaluationMap map("4nodes");
+  PolicyFile trained = testing::RandomPolicy(ObservationScheme::kSorted, map, 2);
+  const std::string compare =
+      "compare --map 4nodes --agents 2 --strategies cr --episodes 2 --policy " + policy +
+      " --out " + (folder / "out").string();
+  const auto cells_after = [&] {
+    WritePolicyFile(policy, trained);
+    CHECK(Ronda(compare).status == 0);
+    return LinesOf(ReadWholeFile(folder / "out/cells.jsonl")).size();
+  };
+  CHECK(cells_after() == 2);
+  CHECK(cells_after() == 2);
+  trained.weights[0] += 1.0f;
+  CHECK(cells_after() == 3);
 }
 
 TEST_CASE("Figures are drawn into the folder; where they cannot be, the results stay") {

@@ -4,5 +4,5 @@ ronda_test(evaluation_test
   LINKS ronda::evaluation nlohmann_json::nlohmann_json)
 ronda_test(ronda_command_test
   SOURCES compare_command_test.cpp ronda_command_test.cpp policy_command_test.cpp
-  LINKS ronda::policies ronda::run nlohmann_json::nlohmann_json)
+  LINKS ronda::run ronda::team nlohmann_json::nlohmann_json)
 add_dependencies(ronda_command_test ronda)

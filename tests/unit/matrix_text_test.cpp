@@ -26,8 +26,8 @@ Matrix ExampleMatrix(int team_sizes, int turn) {
 TEST_CASE("A matrix as text: contestants by team size, the best marked, the bound below") {
   const std::string sut = MatrixAsText(ExampleMatrix(2, 2), {});
 
-  CHECK_THAT(sut, Catch::StartsWith("somewhere, noise 0.25\nsteady protocol: warm-up 20 T_ref, "
-                                    "window 60 T_ref, T_ref 5 s / N; robots at 2 m/s; 1 episode of "
+  CHECK_THAT(sut, Catch::StartsWith("somewhere, noise 0.25\nsteady protocol: warm-up 20, "
+                                    "window 60 T_ref of 5 s / N; robots at 2 m/s; 1 episode of "
                                     "seed 9\n\n"));
   CHECK_THAT(sut, Catch::Contains("AGI (s)\n"
                                   "               N=1     N=2\n"
