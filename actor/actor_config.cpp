@@ -1,15 +1,14 @@
 #include "actor/actor_config.h"
 
+#include "actor/conditions_config.h"
+
 namespace ronda {
 
 ActorConfig ReadActorConfig(Config& config, const RunConfig& run) {
   ActorConfig actor;
   PatrolEnvironmentOptions& environment = actor.environment;
   environment.agents = run.agents;
-  environment.speed_mps =
-      config.GetDouble("environment.speed_mps", 1.0, 1e-6, 1e6, "of every robot");
-  environment.travel_noise = config.GetDouble("environment.travel_noise", 0.0, 0.0, 2.0,
-                                              "σ of the logarithm of travel times");
+  environment.conditions = ReadConditions(config, run.agents);
   environment.horizon = config.GetDouble("environment.horizon_t_ref", 0.3, 1e-3, 1e3,
                                          "discount horizon −1/ln γ, in T_ref");
   environment.episode_length = config.GetDouble("environment.episode_t_ref", 40.0, 0.1, 1e6,
@@ -20,7 +19,6 @@ ActorConfig ReadActorConfig(Config& config, const RunConfig& run) {
       config.GetDouble("observation_alpha", 0.0, 0.0, 1e12,
                        "α > 1 of f(x) = (α^x − 1)/(α − 1), which ranking and normalised idleness "
                        "may pass through; 0: off");
-  environment.observation.robots = run.agents;
   environment.reward = ParseRewardScheme(config.GetString("reward", "hindsight", RewardNames(),
                                                           "what a visit is worth",
                                                           "`common/environments/reward.h`"));

@@ -1,6 +1,6 @@
 #pragma once
-// `reward`, `observation` and what goes with them, [environment], [exploration] and [actor] of the
-// configuration. Errors: InputError as run/config.h.
+// `reward`, `observation` and what goes with them, [environment], [conditions], [exploration] and
+// [actor] of the configuration. Errors: InputError as run/config.h.
 #include <chrono>
 
 #include "actor/exploration.h"

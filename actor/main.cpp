@@ -58,7 +58,8 @@ int Body(int argc, char** argv, std::stop_token stop) {
   const RunConfig run = ReadRunConfig(file);
   ActorConfig config = ReadActorConfig(file, run);
   const PatrolGraph graph =
-      LoadMap(run.map, MapsFolder(), ParseEdgeLengthSource(run.length), nullptr);
+      WithPriorities(LoadMap(run.map, MapsFolder(), ParseEdgeLengthSource(run.length), nullptr),
+                     config.environment.conditions);
   const ShortestPaths paths(graph);
   config.environment.closed_walk_m = ClosedWalkOf(graph, paths).length_m;
   PatrolEnvironment environment(graph, paths, config.environment);

@@ -72,7 +72,7 @@ double EncodeTime_us(const PatrolGraph& graph, const ShortestPaths& paths,
   std::size_t i = 0;
   return Microseconds(seconds, [&] {
     const Moment& moment = moments[i++ % moments.size()];
-    encoder.Encode(moment.world, moment.robot, observation, legal);
+    encoder.Encode(CompleteBelief(moment.world, moment.robot), observation, legal);
   });
 }
 

@@ -25,8 +25,9 @@ constexpr int kRuns = 5;
 
 class FirstNeighbour final : public Strategy {
  public:
-  int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& /*rng*/) override {
-    return world.graph().neighbours(arrival.vertex)[0];
+  Knowledge knowledge() const override { return {}; }
+  int Decide(const Belief& belief, Rng& /*rng*/) override {
+    return belief.graph->neighbours(belief.vertex)[0];
   }
 };
 
@@ -34,11 +35,12 @@ double DecisionsPerSecond(const PatrolGraph& graph, Strategy& strategy, long dec
   const std::vector<double> speeds_mps(kRobots, 1.0);
   Rng rng = SplitSeed(1, 0);
   PatrolWorld world(graph, {.speeds_mps = speeds_mps});
+  TeamBeliefs beliefs(graph, kRobots, strategy.knowledge(), {});
   world.Reset(strategy.Begin(graph, speeds_mps, rng), SplitSeed(1, 1));
+  beliefs.Begin(world, Rng(1));
   const auto begin = std::chrono::steady_clock::now();
   for (long i = 0; i < decisions; ++i) {
-    const auto arrival = world.NextArrival(1e18);
-    world.Depart(arrival->robot, strategy.Decide(world, *arrival, rng));
+    PlayNext(world, beliefs, strategy, 1e18, rng);
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   return static_cast<double>(decisions) / elapsed.count();

@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 #include "common/base/error.h"
+#include "common/world/conditions_text.h"
 #include "deploy/value_list.h"
 
 namespace ronda {
@@ -19,24 +21,30 @@ CLI::Option* AddList(CLI::App& command, const std::string& name, Texts& texts,
   return command.add_option(name, texts, description)->delimiter(',')->allow_extra_args(false);
 }
 
-template <typename Value>
-void AddChoice(CLI::App& command, const std::string& name, Value& value,
-               const std::map<std::string, Value>& choices, const std::string& description) {
-  command
-      .add_option_function<std::string>(
-          name, [&value, choices](const std::string& text) { value = choices.at(text); },
-          description)
-      ->check(CLI::IsMember(choices));
+const std::map<std::string, OutputFormat> kFormats{{"text", OutputFormat::kText},
+                                                   {"markdown", OutputFormat::kMarkdown},
+                                                   {"csv", OutputFormat::kCsv},
+                                                   {"json", OutputFormat::kJson}};
+
+/// The parts that commas separate; none of an empty text.
+Texts Split(const std::string& text) {
+  Texts parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  if (text.ends_with(',')) parts.emplace_back();
+  return parts;
 }
 
-/// Each of the options with each of the values.
-template <typename Value, typename Set>
-void Cross(std::vector<EvaluationOptions>& conditions, const std::vector<Value>& values, Set set) {
+/// Each of the options with each value of a condition.
+std::vector<EvaluationOptions> Cross(const std::vector<EvaluationOptions>& conditions,
+                                     const std::string& name, const Texts& values) {
   std::vector<EvaluationOptions> product;
   for (const EvaluationOptions& condition : conditions) {
-    for (const Value& value : values) set(product.emplace_back(condition), value);
+    for (const std::string& value : values) {
+      SetCondition(product.emplace_back(condition).conditions, name, value);
+    }
   }
-  conditions = std::move(product);
+  return product;
 }
 
 }  // namespace
@@ -46,10 +54,7 @@ void AddCompareArguments(CLI::App& command, CompareArguments& arguments) {
   AddList(command, "--agents", arguments.agents,
           "numbers of robots, 1 … 10000: 2,4,6 or 1..12 or 2..12:2")
       ->required();
-  AddList(command, "--noise", arguments.noise,
-          "σ of travel times, each of length/speed · exp(σZ − σ²/2): 0,0.1")
-      ->capture_default_str();
-  AddProtocolArguments(command, arguments);
+  AddEvaluationArguments(command, arguments);
   command
       .add_option("--policy", arguments.policies,
                   "a run folder, a policy file or a shipped policy's name; may be repeated")
@@ -60,16 +65,12 @@ void AddCompareArguments(CLI::App& command, CompareArguments& arguments) {
                                     "a folder for results.{csv,json,md}, episodes.csv and what is "
                                     "done; the same command goes on");
   command.add_flag("--figures", arguments.figures, "draw pictures into the folder")->needs(folder);
-  AddChoice<OutputFormat>(command, "--format", arguments.format,
-                          {{"text", OutputFormat::kText},
-                           {"markdown", OutputFormat::kMarkdown},
-                           {"csv", OutputFormat::kCsv},
-                           {"json", OutputFormat::kJson}},
-                          "what is printed: text (default), markdown, csv or json");
-  AddChoice<RatioTo>(command, "--ratio-to", arguments.ratio_to,
-                     {{"bound", RatioTo::kBound}, {"best-classical", RatioTo::kBestClassical}},
-                     "tables of several settings, and markdown, give ratios to bound or "
-                     "best-classical (default: seconds)");
+  command
+      .add_option_function<std::string>(
+          "--format",
+          [&arguments](const std::string& text) { arguments.format = kFormats.at(text); },
+          "what is printed: text (default), markdown, csv or json")
+      ->check(CLI::IsMember(kFormats));
 }
 
 std::vector<Contestant> ContestantsOf(const CompareArguments& arguments) {
@@ -86,17 +87,26 @@ std::vector<Contestant> ContestantsOf(const CompareArguments& arguments) {
     contestants.push_back({.kind = ContestantKind::kStrategy, .name = name});
   }
   if (contestants.empty()) throw UsageError("nothing to compare: give --policy or --strategies");
-  if (names.empty() && arguments.ratio_to == RatioTo::kBestClassical) {
-    throw UsageError("--ratio-to best-classical needs --strategies");
-  }
   return contestants;
 }
 
 std::vector<EvaluationOptions> ConditionsOf(const CompareArguments& arguments) {
-  std::vector<EvaluationOptions> conditions{ResolveOptions(arguments)};
-  Cross(conditions, ParseNumbers("--noise", arguments.noise),
-        [](EvaluationOptions& options, double noise) { options.travel_noise = noise; });
-  return conditions;
+  CompareArguments without = arguments;
+  without.conditions.clear();
+  std::vector<EvaluationOptions> conditions{ResolveOptions(without)};
+  for (const ConditionOption& option : ConditionOptions()) {
+    const auto given = arguments.conditions.find(option.name);
+    if (given == arguments.conditions.end() || given->second.empty()) continue;
+    conditions = Cross(conditions, option.name,
+                       ParseTexts(fmt::format("--{}", option.name), Split(given->second)));
+  }
+  std::vector<EvaluationOptions> once;
+  for (const EvaluationOptions& each : conditions) {
+    const bool known =
+        std::ranges::find(once, each.conditions, &EvaluationOptions::conditions) != once.end();
+    if (!known) once.push_back(each);
+  }
+  return once;
 }
 
 std::vector<std::string> MapsOf(const CompareArguments& arguments) {

@@ -20,19 +20,16 @@
 namespace ronda {
 namespace {
 
-MatrixLook Look(RatioTo ratio_to) {
-  if (isatty(STDOUT_FILENO) == 0) return {.ratio_to = ratio_to};
-  return {.ratio_to = ratio_to,
-          .columns = Screen(false, STDOUT_FILENO).size().columns,
-          .style = TerminalStyle()};
+MatrixLook Look() {
+  if (isatty(STDOUT_FILENO) == 0) return {};
+  return {.columns = Screen(false, STDOUT_FILENO).size().columns, .style = TerminalStyle()};
 }
 
-std::string Format(const Matrix& matrix, OutputFormat format, RatioTo ratio_to) {
+std::string Format(const Matrix& matrix, OutputFormat format) {
   if (format == OutputFormat::kCsv) return ResultsCsv(matrix);
   if (format == OutputFormat::kJson) return MatrixAsJson(matrix) + "\n";
-  if (format == OutputFormat::kMarkdown) return MatrixAsMarkdown(matrix, ratio_to);
-  return matrix.size() == 1 ? FormatComparison(matrix.front())
-                            : MatrixAsText(matrix, Look(ratio_to));
+  if (format == OutputFormat::kMarkdown) return MatrixAsMarkdown(matrix);
+  return matrix.size() == 1 ? FormatComparison(matrix.front()) : MatrixAsText(matrix, Look());
 }
 
 void SayStopped(const CompareArguments& arguments, std::size_t done, std::size_t cells) {
@@ -47,7 +44,7 @@ void RunCompare(const CompareArguments& arguments, const std::stop_token& stop) 
   std::optional<OutputFile> json;
   if (!arguments.json_path.empty()) json.emplace(arguments.json_path);
   std::optional<ComparisonFolder> folder;
-  if (!arguments.folder.empty()) folder.emplace(arguments.folder);
+  if (!arguments.folder.empty()) folder.emplace(arguments.folder, plan.identity);
   const MatrixRun run = RunMatrix(plan, folder ? &folder->journal() : nullptr, stop);
   if (!run.matrix) return SayStopped(arguments, run.cells_done, plan.cells());
   if (json) {
@@ -55,7 +52,7 @@ void RunCompare(const CompareArguments& arguments, const std::stop_token& stop) 
     json->Commit();
   }
   if (folder) folder->WriteResults(*run.matrix);
-  fmt::print("{}", Format(*run.matrix, arguments.format, arguments.ratio_to));
+  fmt::print("{}", Format(*run.matrix, arguments.format));
   if (arguments.figures) folder->DrawFigures(stop);
 }
 

@@ -59,13 +59,13 @@ void WriteFile(const fs::path& path, const std::string& text) {
 
 }  // namespace
 
-ComparisonFolder::ComparisonFolder(const fs::path& path)
-    : path_(CheckedFolder(path)), lock_(path, "the folder"), journal_(path / kJournal) {}
+ComparisonFolder::ComparisonFolder(const fs::path& path, const std::string& identity)
+    : path_(CheckedFolder(path)), lock_(path, "the folder"), journal_(path / kJournal, identity) {}
 
 void ComparisonFolder::WriteResults(const Matrix& matrix) const {
   WriteFile(path_ / "results.csv", ResultsCsv(matrix));
   WriteFile(path_ / "results.json", MatrixAsJson(matrix) + "\n");
-  WriteFile(path_ / "results.md", MatrixAsMarkdown(matrix, RatioTo::kNothing));
+  WriteFile(path_ / "results.md", MatrixAsMarkdown(matrix));
   OutputFile episodes(path_ / "episodes.csv");
   WriteEpisodesCsv(matrix, episodes);
   episodes.Commit();

@@ -2,10 +2,11 @@
 // The folder of `ronda compare --out`: cells.jsonl, results.{csv,json,md}, episodes.csv, pictures.
 //
 // Held by one process at a time (common/run/folder_lock.h). A folder that holds other things and no
-// cells.jsonl is refused and left as it is (UsageError). Results appear each whole or not at all;
-// the cells of other comparisons in the same folder stay in cells.jsonl. Thread-compatible.
+// cells.jsonl, or those of another comparison, is refused and left as it is (UsageError). Results
+// appear each whole or not at all. Thread-compatible.
 #include <filesystem>
 #include <stop_token>
+#include <string>
 
 #include "common/evaluation/matrix.h"
 #include "common/run/folder_lock.h"
@@ -15,8 +16,8 @@ namespace ronda {
 
 class ComparisonFolder {
  public:
-  /// Makes the folder where it is missing.
-  explicit ComparisonFolder(const std::filesystem::path& path);
+  /// Makes the folder where it is missing. `identity`, and errors beside: CellJournal.
+  ComparisonFolder(const std::filesystem::path& path, const std::string& identity);
 
   CellJournal& journal() { return journal_; }
   /// Throws UsageError with path and reason where a file cannot be written.

@@ -19,7 +19,7 @@ struct EvaluateArguments : EvaluationArguments {
 
 void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop) {
   const EvaluationOptions options = ResolveOptions(arguments);
-  const EvaluationMap map(arguments.map, arguments.length);
+  const EvaluationMap map(arguments, options.conditions);
   const Contestant contestant =
       arguments.policy.empty()
           ? Contestant{.kind = ContestantKind::kStrategy, .name = arguments.strategy}
@@ -37,13 +37,12 @@ void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop
   auto result =
       EvaluateContestant(contestant, map.context(), options, trace ? &*trace : nullptr, stop);
   if (!result) return;
-  EvaluationReport report{
-      .map = arguments.map,
-      .contestant = contestant,
-      .options = options,
-      .result = *std::move(result),
-      .bounds = ComputeLowerBounds(map.graph(), options.agents * options.speed_mps, options.agents),
-      .ratio_to_random = std::nullopt};
+  EvaluationReport report{.map = arguments.map,
+                          .contestant = contestant,
+                          .options = options,
+                          .result = *std::move(result),
+                          .bounds = BoundsOf(map.graph(), options),
+                          .ratio_to_random = std::nullopt};
   if (options.protocol == Protocol::kThesis) {
     const auto random =
         EvaluateContestant({.name = "random"}, map.context(), options, nullptr, stop);
@@ -63,8 +62,12 @@ void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop
 void AddEvaluateCommand(CLI::App& app, std::stop_token stop) {
   auto arguments = std::make_shared<EvaluateArguments>();
   CLI::App* command = app.add_subcommand("evaluate", "judge one policy or strategy on one map");
-  AddSettingArguments(*command, *arguments);
-  AddProtocolArguments(*command, *arguments);
+  command
+      ->add_option("--map", arguments->map, "a map file (.graph or .json), or a shipped map's name")
+      ->required();
+  command->add_option("--agents", arguments->options.agents, "number of robots, 1 … 10000")
+      ->required();
+  AddEvaluationArguments(*command, *arguments);
   auto* contestant = command->add_option_group("contestant");
   contestant->add_option("--policy", arguments->policy,
                          "a run folder, a policy file or a shipped policy's name");

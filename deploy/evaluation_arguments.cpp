@@ -9,33 +9,23 @@
 #include "common/base/error.h"
 #include "common/run/paths.h"
 #include "common/team/policy_strategy.h"
+#include "common/world/conditions_text.h"
 #include "deploy/find_policy.h"
 
 namespace ronda {
 namespace {
 
-PatrolGraph LoadWithWarnings(const std::string& map, const std::string& length) {
+PatrolGraph LoadWithWarnings(const EvaluationArguments& arguments) {
   std::vector<std::string> warnings;
-  PatrolGraph graph = LoadMap(map, MapsFolder(), ParseEdgeLengthSource(length), &warnings);
+  PatrolGraph graph =
+      LoadMap(arguments.map, MapsFolder(), ParseEdgeLengthSource(arguments.length), &warnings);
   for (const std::string& warning : warnings) fmt::print(stderr, "ronda: warning: {}\n", warning);
   return graph;
 }
 
 }  // namespace
 
-void AddSettingArguments(CLI::App& command, EvaluationArguments& arguments) {
-  EvaluationOptions& options = arguments.options;
-  command
-      .add_option("--map", arguments.map, "a map file (.graph or .json), or a shipped map's name")
-      ->required();
-  command.add_option("--agents", options.agents, "number of robots, 1 … 10000")->required();
-  command
-      .add_option("--noise", options.travel_noise,
-                  "σ of travel times: each takes length/speed · exp(σZ − σ²/2)")
-      ->capture_default_str();
-}
-
-void AddProtocolArguments(CLI::App& command, EvaluationArguments& arguments) {
+void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationOptions& options = arguments.options;
   // CLI11 reads "-1" into an unsigned number without complaint.
   const CLI::Validator not_negative(
@@ -53,7 +43,10 @@ void AddProtocolArguments(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
       ->check(not_negative)
       ->capture_default_str();
-  command.add_option("--speed", options.speed_mps, "of every robot, m/s")->capture_default_str();
+  for (const ConditionOption& condition : ConditionOptions()) {
+    command.add_option(fmt::format("--{}", condition.name), arguments.conditions[condition.name],
+                       condition.doc);
+  }
   command
       .add_option("--length", arguments.length,
                   "edge lengths: euclidean, or file (the cost column of a .graph file)")
@@ -69,12 +62,17 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {
     throw UsageError("--horizon needs --protocol thesis: the steady window follows from the map");
   }
   options.horizon_s = arguments.horizon_s.value_or(options.horizon_s);
+  for (const auto& [name, text] : arguments.conditions) {
+    if (!text.empty()) SetCondition(options.conditions, name, text);
+  }
   CheckOptions(options);
   return options;
 }
 
-EvaluationMap::EvaluationMap(const std::string& map, const std::string& length)
-    : graph_(LoadWithWarnings(map, length)), paths_(graph_), walk_(ClosedWalkOf(graph_, paths_)) {}
+EvaluationMap::EvaluationMap(const EvaluationArguments& arguments, const Conditions& conditions)
+    : graph_(WithPriorities(LoadWithWarnings(arguments), conditions)),
+      paths_(graph_),
+      walk_(ClosedWalkOf(graph_, paths_)) {}
 
 std::unique_ptr<Strategy> MakeContestant(const Contestant& contestant,
                                          const StrategyContext& context) {

@@ -4,6 +4,7 @@
 //
 // Errors: UsageError for options out of range, InputError for maps and policies. Warnings of the
 // map reader go to stderr.
+#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -22,16 +23,15 @@ struct EvaluationArguments {
   std::string map;
   std::string protocol = "steady";
   std::string length = "euclidean";
-  std::string json_path;            // empty: none
-  std::optional<double> horizon_s;  // only where given
-  EvaluationOptions options;        // protocol and horizon are set by ResolveOptions
+  std::string json_path;                          // empty: none
+  std::optional<double> horizon_s;                // only where given
+  std::map<std::string, std::string> conditions;  // text by ConditionOption::name; empty: none
+  EvaluationOptions options;  // protocol, horizon and conditions are set by ResolveOptions
 };
 
-/// Adds a subcommand's options of one setting: map, team and conditions. `arguments` must live as
-/// long as it.
-void AddSettingArguments(CLI::App& command, EvaluationArguments& arguments);
-/// Adds those of all settings: protocol, episodes, seed, speed, lengths, JSON.
-void AddProtocolArguments(CLI::App& command, EvaluationArguments& arguments);
+/// Adds the shared options, all but map and agents, to a subcommand; `arguments` must live as long
+/// as it.
+void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments);
 
 /// The options that the arguments stand for, checked.
 EvaluationOptions ResolveOptions(const EvaluationArguments& arguments);
@@ -39,8 +39,8 @@ EvaluationOptions ResolveOptions(const EvaluationArguments& arguments);
 /// A map and what follows from it, made once. Not movable: its context points into it.
 class EvaluationMap {
  public:
-  /// `map` as the user named it, `length` as the option.
-  EvaluationMap(const std::string& map, const std::string& length);
+  /// With the conditions' priorities.
+  EvaluationMap(const EvaluationArguments& arguments, const Conditions& conditions);
   EvaluationMap(const EvaluationMap&) = delete;
   EvaluationMap& operator=(const EvaluationMap&) = delete;
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "common/base/error.h"
 #include "common/base/fingerprint.h"
+#include "common/nn/kernel.h"
 #include "common/run/paths.h"
 #include "common/team/policy_strategy.h"
 #include "deploy/find_policy.h"
@@ -32,8 +34,8 @@ std::vector<PlannedContestant> LoadContestants(const CompareArguments& arguments
 /// Throws where the contestant cannot begin an episode of the setting.
 void CheckCanPlay(const PlannedContestant& contestant, const PlannedSetting& setting) {
   const EvaluationMap& map = setting.map->map;
-  const std::vector<double> speeds_mps(static_cast<std::size_t>(setting.options.agents),
-                                       setting.options.speed_mps);
+  const std::vector<double> speeds_mps =
+      SpeedsOf(setting.options.conditions, setting.options.agents);
   Rng rng(setting.options.seed);
   try {
     contestant.Make(map.context())->Begin(map.graph(), speeds_mps, rng);
@@ -44,12 +46,50 @@ void CheckCanPlay(const PlannedContestant& contestant, const PlannedSetting& set
   }
 }
 
+/// The map with these conditions' priorities, made once.
+const PlannedMap* MapUnder(MatrixPlan& plan, const EvaluationArguments& arguments,
+                           const Conditions& conditions) {
+  for (const PlannedSetting& setting : plan.settings) {
+    if (setting.map->name == arguments.map &&
+        setting.options.conditions.priorities == conditions.priorities) {
+      return setting.map;
+    }
+  }
+  return plan.maps.emplace_back(std::make_unique<PlannedMap>(arguments, conditions)).get();
+}
+
+std::string IdentityOf(const MatrixPlan& plan, const CompareArguments& arguments) {
+  nlohmann::ordered_json identity{{"version", RONDA_VERSION},
+                                  {"protocol", arguments.protocol},
+                                  {"horizon_s", plan.settings.front().options.horizon_s},
+                                  {"episodes", arguments.options.episodes},
+                                  {"seed", arguments.options.seed},
+                                  {"length", arguments.length},
+                                  {"agents", TeamSizesOf(arguments)}};
+  for (const auto& map : plan.maps) identity["maps"][map->name] = map->fingerprint;
+  auto& conditions = identity["conditions"] = nlohmann::ordered_json::object();
+  for (const auto& [name, text] : arguments.conditions) {
+    if (!text.empty()) conditions[name] = text;
+  }
+  auto& policies = identity["policies"] = nlohmann::ordered_json::object();
+  auto& strategies = identity["strategies"] = nlohmann::ordered_json::array();
+  for (const PlannedContestant& each : plan.contestants) {
+    if (each.policy) {
+      policies[each.contestant.name] =
+          fmt::format("{} {}", each.fingerprint, NameOf(KernelInUse()));
+    } else {
+      strategies.push_back(each.contestant.name);
+    }
+  }
+  return identity.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 }  // namespace
 
-PlannedMap::PlannedMap(const std::string& name_given, const std::string& length)
-    : name(name_given),
+PlannedMap::PlannedMap(const EvaluationArguments& arguments, const Conditions& conditions)
+    : name(arguments.map),
       fingerprint(FileFingerprint(FindMapFile(name, MapsFolder()))),
-      map(name, length) {}
+      map(arguments, conditions) {}
 
 std::unique_ptr<Strategy> PlannedContestant::Make(const StrategyContext& context) const {
   return policy ? MakePolicyStrategy(*policy, context) : MakeStrategy(contestant.name, context);
@@ -57,7 +97,6 @@ std::unique_ptr<Strategy> PlannedContestant::Make(const StrategyContext& context
 
 MatrixPlan PlanMatrix(const CompareArguments& arguments) {
   MatrixPlan plan;
-  plan.length = arguments.length;
   const std::vector<EvaluationOptions> conditions = ConditionsOf(arguments);
   const std::vector<int> team_sizes = TeamSizesOf(arguments);
   plan.contestants = LoadContestants(arguments);
@@ -68,19 +107,21 @@ MatrixPlan PlanMatrix(const CompareArguments& arguments) {
           plan.contestants.end()) {
     plan.contestants.push_back(random);
   }
+  CompareArguments of_map = arguments;
   for (const std::string& name : MapsOf(arguments)) {
-    plan.maps.push_back(std::make_unique<PlannedMap>(name, arguments.length));
-    for (const EvaluationOptions& condition : conditions) {
+    of_map.map = name;
+    for (EvaluationOptions options : conditions) {
       for (const int agents : team_sizes) {
-        PlannedSetting& setting = plan.settings.emplace_back(plan.maps.back().get(), condition);
-        setting.options.agents = agents;
-        CheckOptions(setting.options);
+        options.agents = agents;
+        CheckOptions(options);
+        plan.settings.push_back({MapUnder(plan, of_map, options.conditions), options});
       }
     }
   }
   for (const PlannedSetting& setting : plan.settings) {
     for (const PlannedContestant& each : plan.contestants) CheckCanPlay(each, setting);
   }
+  plan.identity = IdentityOf(plan, arguments);
   return plan;
 }
 

@@ -16,11 +16,11 @@
 namespace ronda {
 
 struct PlannedMap {
-  PlannedMap(const std::string& name_given, const std::string& length);
+  PlannedMap(const EvaluationArguments& arguments, const Conditions& conditions);
 
   std::string name;         // as the user gave it
   std::string fingerprint;  // of its file
-  EvaluationMap map;
+  EvaluationMap map;        // with the conditions' priorities
 };
 
 /// Read once, so that all cells have the same policy also while a run goes on training it.
@@ -38,7 +38,7 @@ struct PlannedSetting {
 };
 
 struct MatrixPlan {
-  std::string length;                             // as the option
+  std::string identity;  // all that determines the results, as a JSON object in one line
   std::vector<std::unique_ptr<PlannedMap>> maps;  // settings point to them
   std::vector<PlannedSetting> settings;           // in the order of Matrix
   std::vector<PlannedContestant> contestants;     // all that are played

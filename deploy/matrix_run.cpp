@@ -14,7 +14,6 @@ namespace {
 struct Cell {
   const PlannedSetting* setting = nullptr;
   const PlannedContestant* contestant = nullptr;
-  std::string key;
   EvaluationReport report;    // its result comes last
   double episode_work = 0.0;  // as MatrixStatus counts it
 };
@@ -22,38 +21,27 @@ struct Cell {
 /// In an episode.
 double ExpectedDecisions(const PlannedSetting& setting) {
   const EvaluationMap& map = setting.map->map;
-  const EvaluationResult times = ProtocolTimes(map.context(), setting.options);
-  return (times.warmup_s + times.window_s) * setting.options.agents * setting.options.speed_mps /
+  const EvaluationOptions& options = setting.options;
+  const EvaluationResult times = ProtocolTimes(map.context(), options);
+  return (times.warmup_s + times.window_s) * TotalSpeed_mps(options.conditions, options.agents) /
          map.graph().mean_edge_length_m();
-}
-
-Cell MakeCell(const MatrixPlan& plan, const PlannedSetting& setting,
-              const PlannedContestant& contestant, const LowerBounds& bounds) {
-  Cell cell{.setting = &setting,
-            .contestant = &contestant,
-            .key = {},
-            .report = {.map = setting.map->name,
-                       .contestant = contestant.contestant,
-                       .options = setting.options,
-                       .result = {},
-                       .bounds = bounds,
-                       .ratio_to_random = std::nullopt},
-            .episode_work = ExpectedDecisions(setting)};
-  cell.key = CellKey(cell.report, {.map_fingerprint = setting.map->fingerprint,
-                                   .length = plan.length,
-                                   .policy_fingerprint = contestant.fingerprint});
-  return cell;
 }
 
 /// Of all settings, in the order of Matrix.
 std::vector<Cell> MakeCells(const MatrixPlan& plan) {
   std::vector<Cell> cells;
   for (const PlannedSetting& setting : plan.settings) {
-    const EvaluationOptions& options = setting.options;
-    const LowerBounds bounds = ComputeLowerBounds(
-        setting.map->map.graph(), options.agents * options.speed_mps, options.agents);
+    const LowerBounds bounds = BoundsOf(setting.map->map.graph(), setting.options);
     for (const PlannedContestant& contestant : plan.contestants) {
-      cells.push_back(MakeCell(plan, setting, contestant, bounds));
+      cells.push_back({.setting = &setting,
+                       .contestant = &contestant,
+                       .report = {.map = setting.map->name,
+                                  .contestant = contestant.contestant,
+                                  .options = setting.options,
+                                  .result = {},
+                                  .bounds = bounds,
+                                  .ratio_to_random = std::nullopt},
+                       .episode_work = ExpectedDecisions(setting)});
     }
   }
   return cells;
@@ -64,13 +52,16 @@ class Player {
  public:
   Player(std::vector<Cell>& cells, CellJournal* journal) : cells_(cells), journal_(journal) {
     status_.cells = cells.size();
-    for (Cell& cell : cells_) {
-      auto kept = journal_ != nullptr ? journal_->Find(cell.key) : std::nullopt;
-      if (kept) {
-        Finish(cell, *std::move(kept));
-      } else {
-        Queue(cell);
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      auto kept = journal_ != nullptr ? journal_->Find(i) : std::nullopt;
+      if (!kept) {
+        Queue(i);
+        continue;
       }
+      const PlannedSetting& setting = *cells_[i].setting;
+      EvaluationResult result = ProtocolTimes(setting.map->map.context(), setting.options);
+      result.episodes = *std::move(kept);
+      Finish(i, std::move(result));
     }
   }
 
@@ -80,8 +71,8 @@ class Player {
         .on_episode = [this](std::size_t i, const EpisodeResult&) { OnEpisode(i); },
         .on_result =
             [this](std::size_t i, EvaluationResult result) {
-              if (journal_ != nullptr) journal_->Append(open_[i]->key, result);
-              Finish(*open_[i], std::move(result));
+              if (journal_ != nullptr) journal_->Append(open_[i], result.episodes);
+              Finish(open_[i], std::move(result));
             }};
     EvaluateAll(evaluations_, 0, listener, stop);
     progress_.End();
@@ -89,10 +80,11 @@ class Player {
   }
 
  private:
-  void Queue(Cell& cell) {
+  void Queue(std::size_t i) {
+    const Cell& cell = cells_[i];
     const PlannedContestant& contestant = *cell.contestant;
     const StrategyContext context = cell.setting->map->map.context();
-    open_.push_back(&cell);
+    open_.push_back(i);
     evaluations_.push_back(
         {.context = context,
          .make_strategy = [&contestant, context] { return contestant.Make(context); },
@@ -100,13 +92,13 @@ class Player {
     status_.work += cell.episode_work * cell.setting->options.episodes;
   }
 
-  void Finish(Cell& cell, EvaluationResult result) {
-    cell.report.result = std::move(result);
+  void Finish(std::size_t i, EvaluationResult result) {
+    cells_[i].report.result = std::move(result);
     ++status_.cells_done;
   }
 
   void OnEpisode(std::size_t i) {
-    const Cell& cell = *open_[i];
+    const Cell& cell = cells_[open_[i]];
     const int agents = cell.setting->options.agents;
     status_.work_done += cell.episode_work;
     status_.present = fmt::format("{}, {} robot{}: {}", PanelName(cell.report), agents,
@@ -116,7 +108,7 @@ class Player {
 
   std::vector<Cell>& cells_;
   CellJournal* journal_;
-  std::vector<Cell*> open_;              // what is played
+  std::vector<std::size_t> open_;        // the cells that are played
   std::vector<Evaluation> evaluations_;  // of open_
   MatrixStatus status_;
   MatrixProgress progress_;

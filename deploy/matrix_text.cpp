@@ -19,8 +19,8 @@ struct Cells {
   std::vector<TableRow> rows;         // (rows) name and (columns)
 };
 
-Cells CellsOf(const MatrixTable& table, RatioTo ratio_to) {
-  const int decimals = ratio_to == RatioTo::kNothing ? DecimalsOf(table) : 3;
+Cells CellsOf(const MatrixTable& table) {
+  const int decimals = DecimalsOf(table);
   Cells cells;
   for (const int agents : table.agents) cells.headings.push_back(fmt::format("N={} ", agents));
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -83,7 +83,7 @@ std::string DrawColumns(const Cells& cells, std::size_t begin, std::size_t end,
 }
 
 std::string DrawTable(const MatrixTable& table, const MatrixLook& look) {
-  const Cells cells = CellsOf(table, look.ratio_to);
+  const Cells cells = CellsOf(table);
   std::string text = "\n" + Draw(StyledLine(table.title, Colour::kBold), look);
   for (std::size_t begin = 0, end = 0; begin < cells.headings.size(); begin = end) {
     end = EndThatFits(cells, begin, look.columns);
@@ -97,11 +97,10 @@ std::string DrawTable(const MatrixTable& table, const MatrixLook& look) {
 std::string MatrixAsText(const Matrix& matrix, const MatrixLook& look) {
   std::string text;
   for (const std::span<const Comparison> panel : Panels(matrix)) {
-    const EvaluationReport& first = panel.front().front();
-    text += Draw(StyledLine(PanelName(first), Colour::kBold), look);
+    text += Draw(StyledLine(PanelName(panel.front().front()), Colour::kBold), look);
     text += Draw(StyledLine(DescribeProtocol(panel), Colour::kDim), look);
-    for (const Metric metric : MetricsOf(first.options.protocol)) {
-      text += DrawTable(TableOf(panel, metric, look.ratio_to), look);
+    for (const Metric metric : MetricsOf(panel)) {
+      text += DrawTable(TableOf(panel, metric), look);
     }
     text += "\n";
   }

@@ -11,7 +11,6 @@
 namespace ronda {
 
 struct MatrixLook {
-  RatioTo ratio_to = RatioTo::kNothing;
   int columns = 100;
   ViewStyle style = ViewStyle::kPlain;
 };

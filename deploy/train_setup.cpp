@@ -89,12 +89,14 @@ TrainSetup::TrainSetup(const TrainArguments& arguments,
   run_ = ReadRunConfig(config_);
   actor_ = ReadActorConfig(config_, run_);
   std::vector<std::string> warnings;
-  graph_.emplace(LoadMap(run_.map, MapsFolder(), ParseEdgeLengthSource(run_.length), &warnings));
+  graph_.emplace(
+      WithPriorities(LoadMap(run_.map, MapsFolder(), ParseEdgeLengthSource(run_.length), &warnings),
+                     actor_.environment.conditions));
   for (const auto& warning : warnings) fmt::print(stderr, "ronda: warning: {}\n", warning);
   paths_.emplace(*graph_);
   walk_ = ClosedWalkOf(*graph_, *paths_);
   context_ = {.graph = &*graph_, .paths = &*paths_, .closed_walk = &walk_};
-  const ObservationEncoder encoder(*graph_, *paths_, actor_.environment.observation);
+  const ObservationEncoder encoder(*graph_, *paths_, ObservationOf(actor_.environment));
   const auto follows = [&](const char* key, Config::Value value) {
     config_.Override(key, std::move(value), "follows from the map");
   };
@@ -103,8 +105,10 @@ TrainSetup::TrainSetup(const TrainArguments& arguments,
   follows("interface.features", std::int64_t{encoder.features_per_candidate()});
   follows("interface.schema", Schema(encoder.options()));
   const PatrolEnvironmentOptions& environment = actor_.environment;
-  const double t_ref_s = walk_.length_m / (environment.agents * environment.speed_mps);
-  follows("interface.speed_mps", environment.speed_mps);
+  const Conditions& conditions = environment.conditions;
+  const double t_ref_s = walk_.length_m / TotalSpeed_mps(conditions, environment.agents);
+  const bool alike = conditions.speeds_mps.size() == 1;
+  follows("interface.speed_mps", alike ? conditions.speeds_mps.front() : 0.0);
   follows("interface.reward", std::string(Name(environment.reward)));
   follows("interface.discount_horizon_s", environment.horizon * t_ref_s);
   run_ = ReadRunConfig(config_);

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "common/evaluation/protocol.h"
+#include "common/evaluation/report.h"
 #include "common/run/log.h"
 #include "common/team/policy_strategy.h"
 
@@ -22,8 +23,7 @@ EvaluationOptions OptionsOf(const TrainingEvaluatorConfig& config, int episodes,
   options.episodes = episodes;
   options.seed = seed;
   options.agents = config.agents;
-  options.speed_mps = config.speed_mps;
-  options.travel_noise = config.travel_noise;
+  options.conditions = config.conditions;
   options.threads = threads;
   return options;
 }
@@ -88,13 +88,12 @@ void TrainingEvaluator::State::Run(std::stop_token stop) {
 }
 
 void TrainingEvaluator::State::FindYardstick(std::stop_token stop) {
+  const EvaluationOptions options = OptionsOf(config, kReportedEpisodes, kReportedSeed, 1);
   Yardstick found;
-  found.bounds =
-      ComputeLowerBounds(*context.graph, config.agents * config.speed_mps, config.agents);
+  found.bounds = BoundsOf(*context.graph, options);
   for (const std::string& name : AllStrategyNames()) {
     const auto result = Evaluate(
-        context, [&] { return MakeStrategy(name, context); },
-        OptionsOf(config, kReportedEpisodes, kReportedSeed, 1), nullptr, stop);
+        context, [&] { return MakeStrategy(name, context); }, options, nullptr, stop);
     if (!result) return;
     const Estimate agi_s = MeanWithInterval(result->agi_s());
     if (found.strategy.empty() || agi_s.mean < found.agi_s.mean) {

@@ -19,6 +19,7 @@
 #include "common/policies/policy_file.h"
 #include "common/rl/ports.h"
 #include "common/world/bounds.h"
+#include "common/world/conditions.h"
 #include "common/world/strategies/strategy.h"
 #include "deploy/run_state.h"
 
@@ -26,8 +27,7 @@ namespace ronda {
 
 struct TrainingEvaluatorConfig {
   int agents = 10;
-  double speed_mps = 1.0;
-  double travel_noise = 0.0;
+  Conditions conditions = {};
   int episodes = 10;
   double step = 1.0 / 30.0;  // of progress, between two evaluations
   std::uint64_t seed = 0;

@@ -53,8 +53,7 @@ double Seconds(Clock::duration duration) { return std::chrono::duration<double>(
 TrainingEvaluatorConfig EvaluatorConfig(const TrainSetup& setup, const RunFolder& folder) {
   TrainingEvaluatorConfig config;
   config.agents = setup.run().agents;
-  config.speed_mps = setup.actor().environment.speed_mps;
-  config.travel_noise = setup.actor().environment.travel_noise;
+  config.conditions = setup.actor().environment.conditions;
   config.episodes = setup.evaluation().episodes;
   config.step = setup.evaluation().step;
   config.seed = kEvaluationSeed + setup.run().seed;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -21,9 +20,8 @@ constexpr std::string_view kRange = "..";
 }
 
 /// nullopt where the text is anything else or more.
-template <typename Number>
-std::optional<Number> Parse(std::string_view text) {
-  Number value{};
+std::optional<int> Parse(std::string_view text) {
+  int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = error == std::errc() && end == text.data() + text.size();
   return whole ? std::optional(value) : std::nullopt;
@@ -43,14 +41,14 @@ struct Range {
 std::optional<Range> ParseRange(std::string_view text) {
   const auto dots = text.find(kRange);
   if (dots == std::string_view::npos) {
-    const auto number = Parse<int>(text);
+    const auto number = Parse(text);
     return number ? std::optional(Range{*number, *number, 1}) : std::nullopt;
   }
   const std::string_view rest = text.substr(dots + kRange.size());
   const auto colon = rest.find(':');
-  const auto first = Parse<int>(text.substr(0, dots));
-  const auto last = Parse<int>(rest.substr(0, colon));
-  const auto step = colon == rest.npos ? std::optional(1) : Parse<int>(rest.substr(colon + 1));
+  const auto first = Parse(text.substr(0, dots));
+  const auto last = Parse(rest.substr(0, colon));
+  const auto step = colon == rest.npos ? std::optional(1) : Parse(rest.substr(colon + 1));
   if (!first || !last || !step || *first > *last || *step < 1) return std::nullopt;
   return Range{*first, *last, *step};
 }
@@ -76,23 +74,11 @@ std::vector<int> ParseWholeNumbers(const std::string& option, const std::vector<
   return numbers;
 }
 
-std::vector<double> ParseNumbers(const std::string& option, const std::vector<std::string>& texts) {
-  std::vector<double> numbers;
-  for (const std::string& text : texts) {
-    const auto number = Parse<double>(text);
-    if (!number || !std::isfinite(*number) || *number < 0.0) {
-      Refuse(option, "finite numbers ≥ 0", text);
-    }
-    AddOnce(numbers, *number);
-  }
-  return numbers;
-}
-
 std::vector<std::string> ParseTexts(const std::string& option,
                                     const std::vector<std::string>& texts) {
   std::vector<std::string> values;
   for (const std::string& text : texts) {
-    if (text.empty()) Refuse(option, "names with commas between them", text);
+    if (text.empty()) Refuse(option, "values with commas between them", text);
     AddOnce(values, text);
   }
   return values;

@@ -12,9 +12,6 @@ namespace ronda {
 std::vector<int> ParseWholeNumbers(const std::string& option, const std::vector<std::string>& texts,
                                    int least, int greatest);
 
-/// Finite numbers ≥ 0.
-std::vector<double> ParseNumbers(const std::string& option, const std::vector<std::string>& texts);
-
 /// Texts that are not empty.
 std::vector<std::string> ParseTexts(const std::string& option,
                                     const std::vector<std::string>& texts);

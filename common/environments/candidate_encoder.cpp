@@ -36,7 +36,7 @@ struct CandidateEncoder::Tables {
         }
       }
     }
-    behind.resize(2 * static_cast<std::size_t>(graph.edge_count()) * stride);
+    behind.resize((2 * static_cast<std::size_t>(graph.edge_count()) + 1) * stride);
     for (int u = 0; u < vertices; ++u) {
       for (int k = 0; k < graph.degree(u); ++k) {
         float* const row = &behind[distances.offset(graph.first_arc(u) + k)];
@@ -53,7 +53,7 @@ struct CandidateEncoder::Tables {
 
   DistanceTable distances;
   std::array<std::vector<float>, kKernels> kernels;  // (V, stride) rows sum to 1
-  std::vector<float> behind;                         // (arcs, stride) 0 or 1
+  std::vector<float> behind;  // (arcs + 1, stride) 0 or 1; the last row is of staying put
 };
 
 /// What one pass over all vertices finds for one candidate.
@@ -67,23 +67,23 @@ struct CandidateEncoder::Scan {
   float largest = 0.0f;                      // max e over it
 };
 
-CandidateEncoder::CandidateEncoder(const PatrolGraph& graph, const ShortestPaths& paths)
+CandidateEncoder::CandidateEncoder(const PatrolGraph& graph, const ShortestPaths& paths, bool stay)
     : graph_(&graph),
+      stay_(stay),
       tables_(std::make_shared<const Tables>(graph, paths)),
       team_(&tables_->distances),
       idleness_(tables_->distances.stride()),
       worthwhile_(tables_->distances.stride()) {}
 
-void CandidateEncoder::ObserveIdleness(const PatrolWorld& world, int robot) {
-  const double units_per_s = world.speed_mps(robot) / graph_->mean_edge_length_m();
-  const auto last_visits_s = world.last_visits_s();
-  const double now_s = world.time_s();
+void CandidateEncoder::ObserveIdleness(const Belief& belief) {
+  const double units_per_s = belief.speeds_mps[belief.robot] / graph_->mean_edge_length_m();
+  const int vertices = graph_->vertex_count();
   float sum = 0.0f;
-  for (std::size_t x = 0; x < last_visits_s.size(); ++x) {
-    idleness_[x] = static_cast<float>((now_s - last_visits_s[x]) * units_per_s);
+  for (int x = 0; x < vertices; ++x) {
+    idleness_[x] = static_cast<float>(belief.idleness_s(x) * units_per_s);
     sum += idleness_[x];
   }
-  mean_idleness_ = std::max(kFloor, sum / static_cast<float>(last_visits_s.size()));
+  mean_idleness_ = std::max(kFloor, sum / static_cast<float>(vertices));
   worthwhile_ = idleness_;  // 0 at the robot's vertex, which it has just visited
   for (const OtherRobot& other : team_.others()) worthwhile_[other.target] = 0.0f;
   largest_worthwhile_ = std::max(kFloor, *std::max_element(worthwhile_.begin(), worthwhile_.end()));
@@ -136,18 +136,22 @@ CandidateEncoder::Scan CandidateEncoder::ScanVertices(int arc, int candidate,
           .largest = largest};
 }
 
-void CandidateEncoder::EncodeCandidate(const PatrolWorld& world, int robot, int k,
+void CandidateEncoder::EncodeCandidate(const Belief& belief, int k, int team_size,
                                        float* features) const {
-  const int vertex = world.target(robot);
-  const int candidate = graph_->neighbours(vertex)[k];
+  const int vertex = belief.vertex;
+  const int candidate = NextVertex(vertex, k);
+  const bool stays = candidate == vertex;
   const DistanceTable& distances = tables_->distances;
-  const float w = static_cast<float>(graph_->lengths_m(vertex)[k] / graph_->mean_edge_length_m());
+  const double length_m =
+      stays ? belief.stay_s * belief.speeds_mps[belief.robot] : graph_->lengths_m(vertex)[k];
+  const float w = static_cast<float>(length_m / graph_->mean_edge_length_m());
   const float m = mean_idleness_;
-  const float robots = static_cast<float>(world.robot_count());
+  const float weight = static_cast<float>(graph_->weights()[candidate]);
+  const float robots = static_cast<float>(team_size);
   const float vertices = static_cast<float>(graph_->vertex_count());
 
   float claimed = 0.0f;
-  float on_arrival = idleness_[candidate] + w;
+  float on_arrival = stays ? 0.0f : idleness_[candidate] + weight * w;
   float crowding = 0.0f;
   for (const OtherRobot& other : team_.others()) {
     const float until = other.remaining + distances.distance(other.target, candidate) * other.pace;
@@ -155,11 +159,12 @@ void CandidateEncoder::EncodeCandidate(const PatrolWorld& world, int robot, int 
     if (other.target != candidate) continue;
     claimed = 1.0f;
     if (other.remaining <= w + kTolerance) {
-      on_arrival = std::min(on_arrival, std::max(0.0f, w - other.remaining));
+      on_arrival = std::min(on_arrival, weight * std::max(0.0f, w - other.remaining));
     }
   }
   const float lead = 0.5f * std::clamp(team_.earliest()[candidate] - w, -4.0f, 4.0f);
-  const Scan scan = ScanVertices(graph_->first_arc(vertex) + k, candidate, w);
+  const int arc = stays ? 2 * graph_->edge_count() : graph_->first_arc(vertex) + k;
+  const Scan scan = ScanVertices(arc, candidate, w);
 
   const std::array<float, kFeatures> values = {
       w,
@@ -170,7 +175,7 @@ void CandidateEncoder::EncodeCandidate(const PatrolWorld& world, int robot, int 
       lead,
       crowding,
       static_cast<float>(graph_->degree(candidate)) / 3.0f,
-      world.previous_vertex(robot) == candidate ? 1.0f : 0.0f,
+      belief.previous_vertex == candidate ? 1.0f : 0.0f,
       scan.around[0] / m,
       scan.around[1] / m,
       scan.around[2] / m,
@@ -192,19 +197,20 @@ void CandidateEncoder::EncodeCandidate(const PatrolWorld& world, int robot, int 
   std::copy(values.begin(), values.end(), features);
 }
 
-void CandidateEncoder::Encode(const PatrolWorld& world, int robot, std::span<float> observation,
+void CandidateEncoder::Encode(const Belief& belief, std::span<float> observation,
                               std::span<std::uint8_t> legal_actions) {
   RONDA_CHECK(static_cast<int>(observation.size()) == observation_size() &&
                   static_cast<int>(legal_actions.size()) == num_actions(),
               "{} floats and {} actions for an observation of {} and {}", observation.size(),
               legal_actions.size(), observation_size(), num_actions());
-  team_.Observe(world, robot);
-  ObserveIdleness(world, robot);
-  const int candidates = graph_->degree(world.target(robot));
+  team_.Observe(belief);
+  ObserveIdleness(belief);
+  const int candidates = graph_->degree(belief.vertex) + (stay_ && belief.stay_s > 0.0 ? 1 : 0);
+  const int team_size = belief.team_size();
   float sum = 0.0f;
   for (int k = 0; k < candidates; ++k) {
     float* const features = &observation[static_cast<std::size_t>(k) * kFeatures];
-    EncodeCandidate(world, robot, k, features);
+    EncodeCandidate(belief, k, team_size, features);
     sum += features[kShareOfSum];
   }
   for (int k = 0; k < candidates; ++k) {

@@ -4,11 +4,12 @@
 //
 // Candidate k is the k-th neighbour (ascending) of the vertex where the robot stands; its row is
 // observation[26 k … 26 k + 25], and action k goes there. Rows of candidates that do not exist are
-// 0 and not legal. A = largest degree of the graph, O = 26 A. `kCandidateFeatureNames` says what
-// the features are; in the text below u is the robot's vertex, v the candidate at distance w, e(x)
-// the idleness of x (0 for u and where another robot heads to), eta(x) the earliest time until
-// another robot can be at x, own = {x : w + d(v, x) < eta(x)} and behind = {x ≠ u : d(u, x) ≥ w +
-// d(v, x)}, both with a tolerance of 1e-5 ℓ.
+// 0 and not legal. A = largest degree of the graph, O = 26 A; where staying put is an action, one
+// more: its w is what the robot would go in that time, and nothing is behind it. N counts the
+// robots on patrol. `kCandidateFeatureNames` says what the features are; in the text below u is the
+// robot's vertex, v the candidate at distance w, e(x) the idleness of x (0 for u and where another
+// robot heads to), eta(x) the earliest time until another robot can be at x, own = {x : w + d(v, x)
+// < eta(x)} and behind = {x ≠ u : d(u, x) ≥ w + d(v, x)}, both with a tolerance of 1e-5 ℓ.
 //
 // Lengths are in units of the mean edge ℓ and times in units of what this robot takes for ℓ, so the
 // features depend on no speed; idleness is divided by the present mean m. The mean, the largest e
@@ -22,7 +23,7 @@
 #include <vector>
 
 #include "common/environments/team_arrivals.h"
-#include "common/world/patrol_world.h"
+#include "common/world/belief.h"
 #include "common/world/shortest_paths.h"
 
 namespace ronda {
@@ -60,25 +61,29 @@ class CandidateEncoder {
  public:
   static constexpr int kFeatures = static_cast<int>(kCandidateFeatureNames.size());
 
-  /// `graph` must outlive it; `paths` are the graph's.
-  CandidateEncoder(const PatrolGraph& graph, const ShortestPaths& paths);
+  /// `graph` must outlive it; `paths` are the graph's. `stay`: staying put is an action where it is
+  /// legal, the one after the neighbours.
+  CandidateEncoder(const PatrolGraph& graph, const ShortestPaths& paths, bool stay);
 
-  int num_actions() const { return graph_->max_degree(); }
+  int num_actions() const { return graph_->max_degree() + (stay_ ? 1 : 0); }
   int observation_size() const { return num_actions() * kFeatures; }
-  /// For `robot`, which stands at world.target(robot); sizes O and A.
-  void Encode(const PatrolWorld& world, int robot, std::span<float> observation,
+  /// Sizes O and A.
+  void Encode(const Belief& belief, std::span<float> observation,
               std::span<std::uint8_t> legal_actions);
-  int NextVertex(int vertex, int action) const { return graph_->neighbours(vertex)[action]; }
+  int NextVertex(int vertex, int action) const {
+    return action < graph_->degree(vertex) ? graph_->neighbours(vertex)[action] : vertex;
+  }
 
  private:
   struct Tables;
   struct Scan;
 
-  void ObserveIdleness(const PatrolWorld& world, int robot);
+  void ObserveIdleness(const Belief& belief);
   Scan ScanVertices(int arc, int candidate, float distance) const;
-  void EncodeCandidate(const PatrolWorld& world, int robot, int k, float* features) const;
+  void EncodeCandidate(const Belief& belief, int k, int team_size, float* features) const;
 
   const PatrolGraph* graph_;
+  bool stay_;
   std::shared_ptr<const Tables> tables_;
   TeamArrivals team_;
   std::vector<float> idleness_;      // (stride) units

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "common/world/patrol_world.h"
+#include "common/world/belief.h"
 
 namespace ronda {
 
@@ -27,17 +27,18 @@ class ScaledIdleness {
   /// `alpha` > 1 of the transform, or 0 for none; only with kRanking and kNormalised.
   ScaledIdleness(IdlenessScale scale, double alpha, int vertices);
 
-  /// (V) at this moment of the world; valid until the next call. `floor_s` > 0 is the least ζ̄.
-  std::span<const float> Observe(const PatrolWorld& world, double floor_s);
+  /// (V) as the robot believes it to be; valid until the next call. `floor_s` > 0 is the least ζ̄.
+  std::span<const float> Observe(const Belief& belief, double floor_s);
 
  private:
-  void Rank(const PatrolWorld& world);
-  void Normalise(const PatrolWorld& world);
+  void Rank();
+  void Normalise();
 
   IdlenessScale scale_;
   double alpha_;
-  std::vector<int> order_;     // (V) vertices, least idle first; ranking only
-  std::vector<float> scaled_;  // (V)
+  std::vector<int> order_;          // (V) vertices, least idle first; ranking only
+  std::vector<double> idleness_s_;  // (V)
+  std::vector<float> scaled_;       // (V)
 };
 
 }  // namespace ronda

@@ -31,6 +31,7 @@ constexpr std::array kSchemes = {
     Named{ObservationScheme::kMatrix, "matrix", "patrol-matrix-1"},
 };
 constexpr std::string_view kAlphaMark = ".alpha-";
+constexpr std::string_view kStayMark = ".stay";
 
 constexpr bool InOrder() {
   for (std::size_t i = 0; i < kSchemes.size(); ++i) {
@@ -64,8 +65,9 @@ const ObservationOptions& Checked(const ObservationOptions& options) {
 std::variant<CandidateEncoder, ThesisEncoder, MatrixEncoder> MakeEncoder(
     const PatrolGraph& graph, const ShortestPaths& paths, const ObservationOptions& options) {
   const auto vector_with = [&](IdlenessScale idleness, bool others = false) {
-    return ThesisEncoder(graph, paths,
-                         {.idleness = idleness, .alpha = options.alpha, .others = others});
+    return ThesisEncoder(
+        graph, paths,
+        {.idleness = idleness, .alpha = options.alpha, .others = others, .stay = options.stay});
   };
   switch (options.scheme) {
     case ObservationScheme::kCandidates:
@@ -81,9 +83,9 @@ std::variant<CandidateEncoder, ThesisEncoder, MatrixEncoder> MakeEncoder(
     case ObservationScheme::kCentred:
       return vector_with(IdlenessScale::kCentred);
     case ObservationScheme::kMatrix:
-      return MatrixEncoder(graph, options.robots);
+      return MatrixEncoder(graph, options.robots, options.stay);
   }
-  return CandidateEncoder(graph, paths);
+  return CandidateEncoder(graph, paths, options.stay);
 }
 
 /// The α that `text` says, > 1 and finite, or 0 where it says none.
@@ -115,8 +117,9 @@ std::string_view Name(ObservationScheme scheme) { return Of(scheme).name; }
 
 std::string Schema(const ObservationOptions& options) {
   const std::string_view schema = Of(options.scheme).schema;
-  if (options.alpha == 0.0) return std::string(schema);
-  return fmt::format("{}{}{:.17g}", schema, kAlphaMark, options.alpha);
+  const std::string alpha =
+      options.alpha == 0.0 ? "" : fmt::format("{}{:.17g}", kAlphaMark, options.alpha);
+  return fmt::format("{}{}{}", schema, options.stay ? kStayMark : "", alpha);
 }
 
 ObservationOptions SchemeOf(const std::string& schema) {
@@ -124,10 +127,15 @@ ObservationOptions SchemeOf(const std::string& schema) {
   const bool has_alpha = mark < schema.size();
   const double alpha =
       has_alpha ? ParseAlpha(std::string_view(schema).substr(mark + kAlphaMark.size())) : 0.0;
+  std::string_view scheme = std::string_view(schema).substr(0, mark);
+  const bool stay = scheme.ends_with(kStayMark);
+  if (stay) scheme.remove_suffix(kStayMark.size());
   for (const Named& named : kSchemes) {
-    if (named.schema != std::string_view(schema).substr(0, mark)) continue;
+    if (named.schema != scheme) continue;
     if (has_alpha && (alpha == 0.0 || !named.takes_alpha)) break;
-    return {named.scheme, alpha};
+    ObservationOptions options(named.scheme, alpha);
+    options.stay = stay;
+    return options;
   }
   throw InputError(fmt::format("no observation here has the schema '{}'", schema));
 }
@@ -153,10 +161,9 @@ int ObservationEncoder::team_size() const {
   return matrix != nullptr ? matrix->robots() : 0;
 }
 
-void ObservationEncoder::Encode(const PatrolWorld& world, int robot, std::span<float> observation,
+void ObservationEncoder::Encode(const Belief& belief, std::span<float> observation,
                                 std::span<std::uint8_t> legal_actions) {
-  std::visit([&](auto& encoder) { encoder.Encode(world, robot, observation, legal_actions); },
-             encoder_);
+  std::visit([&](auto& encoder) { encoder.Encode(belief, observation, legal_actions); }, encoder_);
 }
 
 int ObservationEncoder::NextVertex(int vertex, int action) const {

@@ -12,7 +12,7 @@
 //   matrix      where every robot is, and idleness (matrix_encoder.h)       (N+1) V   §4.4.4
 //
 // Idleness of ranking and normalised, which lies in [0, 1], can pass through the transform of §5.1
-// (idleness_scale.h). Depends on the world alone, so training and evaluation share it. A value:
+// (idleness_scale.h). Depends on the belief alone, so training and evaluation share it. A value:
 // copies share their tables. Shapes, units, cost: the scheme's own header. Thread-compatible
 // (scratch memory inside): one object for each thread. Source: thesis §3.3, §4.4, §5.1.
 #include <cstdint>
@@ -27,6 +27,10 @@
 #include "common/environments/thesis_encoder.h"
 
 namespace ronda {
+
+/// What an observation makes use of.
+inline constexpr Knowledge kObservedKnowledge{.visits = Knowledge::Visits::kShared,
+                                              .intentions = true};
 
 enum class ObservationScheme {
   kCandidates,
@@ -50,14 +54,15 @@ struct ObservationOptions {
       : scheme(of), alpha(with_alpha) {}
 
   ObservationScheme scheme;
-  double alpha;    // of the transform, > 1; 0: none
-  int robots = 0;  // N, read by matrix only; 0: not known
+  double alpha;       // of the transform, > 1; 0: none
+  int robots = 0;     // N, read by matrix only; 0: not known
+  bool stay = false;  // staying put is one of the actions
 };
 
 /// What a network remembers of its observation: changes when the meaning of a number does. Holds
-/// scheme and α (`patrol-normalised-2.alpha-100000`).
+/// scheme, staying put and α (`patrol-normalised-2.stay.alpha-100000`).
 std::string Schema(const ObservationOptions& options);
-/// Scheme and α of a schema; InputError where it is none.
+/// Scheme, staying put and α of a schema; InputError where it is none.
 ObservationOptions SchemeOf(const std::string& schema);
 
 class ObservationEncoder {
@@ -75,9 +80,8 @@ class ObservationEncoder {
   /// The only number of robots that it can observe; 0: any.
   int team_size() const;
 
-  /// The observation (O) and legal actions (A) of `robot`, which has arrived at world.target(robot)
-  /// and waits for its next vertex.
-  void Encode(const PatrolWorld& world, int robot, std::span<float> observation,
+  /// The observation (O) and legal actions (A) of a robot that has arrived and must decide.
+  void Encode(const Belief& belief, std::span<float> observation,
               std::span<std::uint8_t> legal_actions);
   /// The vertex that a legal `action` of a robot at `vertex` goes to.
   int NextVertex(int vertex, int action) const;

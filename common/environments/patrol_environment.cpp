@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "common/base/check.h"
 #include "common/base/error.h"
@@ -12,7 +11,6 @@
 namespace ronda {
 namespace {
 
-constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kHorizonsToSettle = 5.0;  // after 5 T_d a next visit changes a reward by < 0.7 %
 
 void Require(bool holds, const char* name, const char* rule, double value) {
@@ -23,34 +21,29 @@ void Require(bool holds, const char* name, const char* rule, double value) {
 
 const PatrolEnvironmentOptions& Checked(const PatrolEnvironmentOptions& options) {
   Require(options.agents >= 1, "agents", "≥ 1", options.agents);
-  Require(options.speed_mps > 0.0, "speed_mps", "> 0", options.speed_mps);
-  Require(options.travel_noise >= 0.0, "travel_noise", "≥ 0", options.travel_noise);
   Require(options.closed_walk_m > 0.0, "closed_walk_m", "> 0", options.closed_walk_m);
   Require(options.horizon > 0.0, "horizon", "> 0", options.horizon);
   Require(options.episode_length > 0.0, "episode_length", "> 0", options.episode_length);
   Require(options.initial_idleness >= 0.0, "initial_idleness", "≥ 0", options.initial_idleness);
   Require(options.reward_n_worst >= 1, "reward_n_worst", "≥ 1", options.reward_n_worst);
+  CheckConditions(options.conditions, options.agents);
   return options;
-}
-
-WorldOptions TeamOf(const PatrolEnvironmentOptions& options) {
-  return {.speeds_mps =
-              std::vector<double>(static_cast<std::size_t>(options.agents), options.speed_mps),
-          .travel_noise = options.travel_noise};
-}
-
-ObservationOptions ObservationOf(const PatrolEnvironmentOptions& options) {
-  ObservationOptions observation = options.observation;
-  observation.robots = options.agents;
-  return observation;
 }
 
 }  // namespace
 
+ObservationOptions ObservationOf(const PatrolEnvironmentOptions& options) {
+  ObservationOptions observation = options.observation;
+  observation.robots = options.agents;
+  observation.stay = options.conditions.stay_s > 0.0;
+  return observation;
+}
+
 PatrolEnvironment::PatrolEnvironment(const PatrolGraph& graph, const ShortestPaths& paths,
                                      const PatrolEnvironmentOptions& options)
     : options_(Checked(options)),
-      world_(graph, TeamOf(options)),
+      world_(graph, WorldOptionsOf(options.conditions, options.agents)),
+      beliefs_(graph, options.agents, kObservedKnowledge, options.conditions.communication),
       encoder_(graph, paths, ObservationOf(options)),
       spec_{.observation_size = encoder_.observation_size(),
             .num_actions = encoder_.num_actions(),
@@ -83,11 +76,15 @@ void PatrolEnvironment::Reset(const Rng& rng) {
   world_.Reset(starts, draws);
   for (int v = 0; v < graph.vertex_count(); ++v) world_.SetLastVisit(v, last_visits_s[v]);
 
+  world_.Schedule(DrawChanges(options_.conditions.attrition, options_.agents, episode_s_,
+                              SplitSeed(draws(), 0)));
+  beliefs_.Begin(world_, SplitSeed(draws(), 1));
+
   agents_.assign(agents_.size(), Agent{});
   pending_.assign(pending_.size(), Pending{});
   settled_.clear();
   state_ = EpisodeState::kRunning;
-  const auto arrival = world_.NextArrival(kForever);
+  const auto arrival = world_.NextArrival(kNever_s);
   MakeDecision(*arrival);
 }
 
@@ -99,36 +96,44 @@ StepOutcome PatrolEnvironment::Step(int action) {
   settled_.clear();
   const int robot = decision_.agent;
   world_.Depart(robot, encoder_.NextVertex(world_.target(robot), action));
+  beliefs_.Departed(world_, robot);
 
-  const auto arrival = world_.NextArrival(kForever);
+  const auto arrival = world_.NextArrival(kNever_s);
   const bool last_step = arrival->time_s >= episode_s_;
   SettleLate(arrival->time_s);
   SettleArrival(*arrival, last_step);
   MakeDecision(*arrival);
   if (last_step) {
     state_ = EpisodeState::kCut;
-    SettleLate(kForever);
+    SettleLate(kNever_s);
   }
   return {.state = state_, .settled = settled_};
 }
 
 void PatrolEnvironment::SettleArrival(const Arrival& arrival, bool last_step) {
-  if (pending_[arrival.vertex].agent >= 0) {
+  const bool stayed = world_.previous_vertex(arrival.robot) == arrival.vertex;
+  if (!stayed && pending_[arrival.vertex].agent >= 0) {
     SettlePending(arrival.vertex, arrival.time_s - pending_[arrival.vertex].since_s);
   }
   const Agent& agent = agents_[arrival.robot];
-  if (agent.count == 0) return;  // its start: no decision led here
-  const auto last_visits_s = world_.last_visits_s();
-  std::transform(last_visits_s.begin(), last_visits_s.end(), idleness_s_.begin(),
-                 [&](double last_s) { return arrival.time_s - last_s; });
-  idleness_s_[arrival.vertex] = arrival.idleness_s;  // the visit has reset it in the world
+  if (agent.count == 0) return;                     // its start: no decision led here
+  if (world_.previous_vertex(arrival.robot) < 0) {  // it joins again
+    settled_.push_back({.agent = arrival.robot, .index = agent.count - 1, .reward = 0.0f});
+    return;
+  }
+  for (std::size_t v = 0; v < idleness_s_.size(); ++v) {
+    idleness_s_[v] = world_.idleness_s(static_cast<int>(v));
+  }
+  // The visit has reset it in the world; without the stay it would have grown.
+  idleness_s_[arrival.vertex] =
+      stayed ? world_.graph().weights()[arrival.vertex] * world_.stay_s() : arrival.idleness_s;
   const float reward = Reward(options_.reward,
                               {.travel_s = arrival.time_s - agent.made_s,
                                .vertex = arrival.vertex,
                                .idleness_s = idleness_s_,
                                .last_step = last_step},
                               parameters_);
-  if (!WaitsForNextVisit(options_.reward)) {
+  if (stayed || !WaitsForNextVisit(options_.reward)) {
     settled_.push_back({.agent = arrival.robot, .index = agent.count - 1, .reward = reward});
     return;
   }
@@ -142,7 +147,7 @@ void PatrolEnvironment::SettleArrival(const Arrival& arrival, bool last_step) {
 void PatrolEnvironment::SettleLate(double now_s) {
   for (std::size_t vertex = 0; vertex < pending_.size(); ++vertex) {
     if (pending_[vertex].agent >= 0 && now_s - pending_[vertex].since_s > settle_within_s_) {
-      SettlePending(static_cast<int>(vertex), kForever);
+      SettlePending(static_cast<int>(vertex), kNever_s);
     }
   }
 }
@@ -157,7 +162,7 @@ void PatrolEnvironment::SettlePending(int vertex, double next_visit_after_s) {
 
 void PatrolEnvironment::MakeDecision(const Arrival& arrival) {
   Agent& agent = agents_[arrival.robot];
-  encoder_.Encode(world_, arrival.robot, observation_, legal_);
+  encoder_.Encode(beliefs_.Arrived(world_, arrival), observation_, legal_);
   decision_ = {.agent = arrival.robot,
                .index = agent.count,
                .observation = observation_,

@@ -10,32 +10,39 @@
 // Each episode starts from random vertices, at random idleness where asked for. It is cut at the
 // first arrival at or after its length: every decision that has arrived is settled by then (without
 // a next visit: never), those under way are dropped. So the last step, where final-average is
-// given, is the one arrival that ends the episode: one decision of one robot. T_ref = closed walk /
-// Σ speeds is the unit of all times in the options. Errors: InputError for options out of range.
-// Thread-compatible. O(A·V + N·V) a step, no allocation once warm. Source: thesis §1.3, §3.2, §4.2.
+// given, is the one arrival that ends the episode: one decision of one robot. A robot that fails
+// leaves its decision unsettled; if it joins again, that decision's reward is 0. Staying put is
+// rewarded at once, as the visit of a vertex that has been idle for so long. T_ref = closed
+// walk / Σ speeds is the unit of all times in the options. Errors: InputError for options out of
+// range. Thread-compatible. O(A·V + N·V) a step, no allocation once warm. Source: thesis §1.3,
+// §3.2, §4.2.
 #include <cstdint>
 #include <vector>
 
 #include "common/environments/observation_encoder.h"
 #include "common/environments/reward.h"
 #include "common/rl/environment.h"
+#include "common/world/conditions.h"
 #include "common/world/patrol_world.h"
 #include "common/world/shortest_paths.h"
+#include "common/world/team_beliefs.h"
 
 namespace ronda {
 
 struct PatrolEnvironmentOptions {
   int agents = 10;                      // N ≥ 1
-  double speed_mps = 1.0;               // > 0, of every robot
-  double travel_noise = 0.0;            // σ ≥ 0, as WorldOptions
+  Conditions conditions = {};           // without priorities: those are the graph's
   double closed_walk_m = 0.0;           // > 0, length of a short closed walk through all vertices
   double horizon = 0.3;                 // T_d in T_ref, > 0
   double episode_length = 40.0;         // in T_ref, > 0
   double initial_idleness = 0.0;        // each vertex starts idle for up to so many T_ref; ≥ 0
-  ObservationOptions observation = {};  // its robots follow from `agents`
+  ObservationOptions observation = {};  // its robots and stay follow from the above
   RewardScheme reward = RewardScheme::kHindsight;
   int reward_n_worst = 3;  // n of n-worst, ≥ 1
 };
+
+/// What its agents observe, with what follows from team and conditions.
+ObservationOptions ObservationOf(const PatrolEnvironmentOptions& options);
 
 class PatrolEnvironment final : public Environment {
  public:
@@ -75,6 +82,7 @@ class PatrolEnvironment final : public Environment {
   double settle_within_s_;
   double episode_s_;
   PatrolWorld world_;
+  TeamBeliefs beliefs_;
   ObservationEncoder encoder_;
   EnvironmentSpec spec_;
   EpisodeState state_ = EpisodeState::kCut;  // until the first Reset

@@ -19,18 +19,19 @@ DistanceTable::DistanceTable(const ShortestPaths& paths, double unit_m)
 TeamArrivals::TeamArrivals(const DistanceTable* distances)
     : distances_(distances), earliest_(distances->stride()) {}
 
-void TeamArrivals::Observe(const PatrolWorld& world, int robot) {
-  const double units_per_s = world.speed_mps(robot) / distances_->unit_m();
+void TeamArrivals::Observe(const Belief& belief) {
+  const double speed_mps = belief.speeds_mps[belief.robot];
+  const double units_per_s = speed_mps / distances_->unit_m();
   others_.clear();
   std::fill(earliest_.begin(), earliest_.end(), std::numeric_limits<float>::infinity());
   float* const earliest = earliest_.data();
   const std::size_t stride = distances_->stride();
-  for (int k = 0; k < world.robot_count(); ++k) {
-    if (k == robot) continue;
+  for (int k = 0; k < belief.robot_count(); ++k) {
+    if (k == belief.robot || belief.target(k) < 0) continue;
     const OtherRobot other{
-        .target = world.target(k),
-        .remaining = static_cast<float>((world.arrival_s(k) - world.time_s()) * units_per_s),
-        .pace = static_cast<float>(world.speed_mps(robot) / world.speed_mps(k))};
+        .target = belief.target(k),
+        .remaining = static_cast<float>((belief.arrival_s(k) - belief.time_s) * units_per_s),
+        .pace = static_cast<float>(speed_mps / belief.speeds_mps[k])};
     others_.push_back(other);
     const float* const distances = distances_->row(other.target);
 #pragma omp simd

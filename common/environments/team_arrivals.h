@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "common/world/patrol_world.h"
+#include "common/world/belief.h"
 #include "common/world/shortest_paths.h"
 
 namespace ronda {
@@ -45,12 +45,13 @@ class TeamArrivals {
   /// `distances` must outlive it.
   explicit TeamArrivals(const DistanceTable* distances);
 
-  /// What `robot` sees of the others at this moment.
-  void Observe(const PatrolWorld& world, int robot);
+  /// What a robot knows of the others at this moment.
+  void Observe(const Belief& belief);
 
-  std::span<const OtherRobot> others() const { return others_; }  // (N − 1), in index order
+  /// Those whose way is known, in index order.
+  std::span<const OtherRobot> others() const { return others_; }
   /// (stride) the earliest time until another robot can be at each vertex: its arrival plus the
-  /// distance on, at its own speed; ∞ where there is no other robot. In units of time.
+  /// distance on, at its own speed; ∞ where no other robot is known. In units of time.
   const float* earliest() const { return earliest_.data(); }
 
  private:

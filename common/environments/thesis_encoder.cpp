@@ -53,17 +53,17 @@ int ThesisEncoder::NextVertex(int vertex, int action) const {
   return tables_->order[static_cast<std::size_t>(vertex) * graph_->vertex_count() + action];
 }
 
-void ThesisEncoder::Encode(const PatrolWorld& world, int robot, std::span<float> observation,
+void ThesisEncoder::Encode(const Belief& belief, std::span<float> observation,
                            std::span<std::uint8_t> legal_actions) {
   const int vertices = graph_->vertex_count();
   RONDA_CHECK(static_cast<int>(observation.size()) == observation_size() &&
                   static_cast<int>(legal_actions.size()) == num_actions(),
               "{} floats and {} actions for an observation of {} and {}", observation.size(),
               legal_actions.size(), observation_size(), num_actions());
-  if (blocks_.others) team_.Observe(world, robot);
-  const int vertex = world.target(robot);
-  const double unit_s = tables_->distances.unit_m() / world.speed_mps(robot);
-  const auto idleness = idleness_.Observe(world, kFloor * unit_s);
+  if (blocks_.others) team_.Observe(belief);
+  const int vertex = belief.vertex;
+  const double unit_s = tables_->distances.unit_m() / belief.speeds_mps[belief.robot];
+  const auto idleness = idleness_.Observe(belief, kFloor * unit_s);
   const auto neighbours = graph_->neighbours(vertex);
   for (int k = 0; k < vertices; ++k) {
     const int x = NextVertex(vertex, k);
@@ -72,6 +72,7 @@ void ThesisEncoder::Encode(const PatrolWorld& world, int robot, std::span<float>
     if (blocks_.others) observation[2 * vertices + k] = std::min(kLargest, team_.earliest()[x]);
     legal_actions[k] = std::binary_search(neighbours.begin(), neighbours.end(), x) ? 1 : 0;
   }
+  legal_actions[0] = blocks_.stay && belief.stay_s > 0.0 ? 1 : 0;
 }
 
 }  // namespace ronda

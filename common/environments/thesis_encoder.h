@@ -4,8 +4,8 @@
 //
 // O = 2 V or 3 V: distances from the robot's vertex, ascending (equals by index); idleness in that
 // order; earliest arrivals of another robot in that order. A = V: action k goes to the k-th vertex
-// of the order, legal where that is a neighbour (staying put, action 0, is not). Scales: distances
-// by the mean over all ordered pairs of different vertices, clipped to 8; idleness as
+// of the order, legal where that is a neighbour; action 0, staying put, where that is. Scales:
+// distances by the mean over all ordered pairs of different vertices, clipped to 8; idleness as
 // idleness_scale.h says, its mean floored at 1e-6 of what this robot takes for the mean distance;
 // arrivals by that time, clipped to 8 (no other robot: 8). So the observation depends on no speed.
 // The third block is not in the thesis: without it robots can't tell where others go, and flock.
@@ -17,7 +17,7 @@
 
 #include "common/environments/idleness_scale.h"
 #include "common/environments/team_arrivals.h"
-#include "common/world/patrol_world.h"
+#include "common/world/belief.h"
 #include "common/world/shortest_paths.h"
 
 namespace ronda {
@@ -27,6 +27,7 @@ struct ThesisBlocks {
   IdlenessScale idleness = IdlenessScale::kRelative;
   double alpha = 0.0;   // of the idleness, as ScaledIdleness
   bool others = false;  // the third block
+  bool stay = false;    // staying put is an action where it is legal
 };
 
 class ThesisEncoder {
@@ -36,7 +37,7 @@ class ThesisEncoder {
 
   int num_actions() const { return graph_->vertex_count(); }
   int observation_size() const { return (blocks_.others ? 3 : 2) * num_actions(); }
-  void Encode(const PatrolWorld& world, int robot, std::span<float> observation,
+  void Encode(const Belief& belief, std::span<float> observation,
               std::span<std::uint8_t> legal_actions);
   int NextVertex(int vertex, int action) const;
 

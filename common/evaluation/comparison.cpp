@@ -66,14 +66,14 @@ Row FormatRow(const EvaluationReport& report, const EvaluationReport* best) {
 
 }  // namespace
 
-std::optional<std::size_t> BestClassical(std::span<const EvaluationReport> reports) {
-  std::optional<std::size_t> best;
+const EvaluationReport* BestClassical(std::span<const EvaluationReport> reports) {
+  const EvaluationReport* best = nullptr;
   double best_s = 0.0;
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    if (reports[i].contestant.kind != ContestantKind::kStrategy) continue;
-    const double mean_s = MeanWithInterval(Headline(reports[i])).mean;
-    if (!best || mean_s < best_s) {
-      best = i;
+  for (const EvaluationReport& report : reports) {
+    if (report.contestant.kind != ContestantKind::kStrategy) continue;
+    const double mean_s = MeanWithInterval(Headline(report)).mean;
+    if (best == nullptr || mean_s < best_s) {
+      best = &report;
       best_s = mean_s;
     }
   }
@@ -91,8 +91,7 @@ Ratios RatiosOf(const EvaluationReport& report, const EvaluationReport* best) {
 std::string FormatComparison(std::span<const EvaluationReport> reports) {
   RONDA_CHECK(!reports.empty(), "a comparison of nothing");
   const EvaluationReport& first = reports.front();
-  const auto best_index = BestClassical(reports);
-  const EvaluationReport* best = best_index ? &reports[*best_index] : nullptr;
+  const EvaluationReport* best = BestClassical(reports);
   const bool thesis = first.options.protocol == Protocol::kThesis;
   std::vector<Row> rows;
   rows.push_back({"", "knows", "AGI (s)", "WI (s)", "final (s)",

@@ -12,8 +12,8 @@
 
 namespace ronda {
 
-/// The classical strategy with the least headline figure; nullopt when only policies are compared.
-std::optional<std::size_t> BestClassical(std::span<const EvaluationReport> reports);
+/// The classical strategy with the least headline figure; null when only policies are compared.
+const EvaluationReport* BestClassical(std::span<const EvaluationReport> reports);
 
 /// A report's figures over what they are judged by.
 struct Ratios {

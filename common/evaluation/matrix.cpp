@@ -3,15 +3,21 @@
 #include "common/base/check.h"
 
 namespace ronda {
+namespace {
+
+bool InOnePanel(const Comparison& a, const Comparison& b) {
+  return a.front().map == b.front().map &&
+         a.front().options.conditions == b.front().options.conditions;
+}
+
+}  // namespace
 
 std::vector<std::span<const Comparison>> Panels(const Matrix& matrix) {
   std::vector<std::span<const Comparison>> panels;
   std::size_t begin = 0;
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     RONDA_CHECK(!matrix[i].empty(), "a comparison of nothing");
-    const bool last =
-        i + 1 == matrix.size() || PanelName(matrix[i + 1].front()) != PanelName(matrix[i].front());
-    if (!last) continue;
+    if (i + 1 < matrix.size() && InOnePanel(matrix[i], matrix[i + 1])) continue;
     panels.emplace_back(&matrix[begin], i + 1 - begin);
     begin = i + 1;
   }
@@ -19,13 +25,8 @@ std::vector<std::span<const Comparison>> Panels(const Matrix& matrix) {
 }
 
 std::string PanelName(const EvaluationReport& report) {
-  const std::string condition = ConditionLabel(report.options);
-  return condition.empty() ? report.map : report.map + ", " + condition;
-}
-
-const EvaluationReport* BestClassicalOf(const Comparison& comparison) {
-  const auto best = BestClassical(comparison);
-  return best ? &comparison[*best] : nullptr;
+  const std::string conditions = Label(report.options.conditions);
+  return conditions.empty() ? report.map : report.map + ", " + conditions;
 }
 
 }  // namespace ronda

@@ -21,7 +21,4 @@ std::vector<std::span<const Comparison>> Panels(const Matrix& matrix);
 /// "cumberland, noise 0.1": what the reports of a panel share.
 std::string PanelName(const EvaluationReport& report);
 
-/// BestClassical's report, or null.
-const EvaluationReport* BestClassicalOf(const Comparison& comparison);
-
 }  // namespace ronda

@@ -10,11 +10,10 @@ std::string MatrixAsJson(const Matrix& matrix) {
   using Json = nlohmann::ordered_json;
   auto list = Json::array();
   for (const Comparison& comparison : matrix) {
-    const EvaluationReport* best = BestClassicalOf(comparison);
+    const EvaluationReport* best = BestClassical(comparison);
     for (const EvaluationReport& report : comparison) {
       const Ratios ratios = RatiosOf(report, best);
       Json json = ReportAsJsonValue(report);
-      json["condition"] = ConditionLabel(report.options);
       json["best_classical"] = best == nullptr ? Json(nullptr) : Json(best->contestant.name);
       json["to_best_classical"] =
           ratios.to_best_classical ? EstimateAsJson(*ratios.to_best_classical) : Json(nullptr);

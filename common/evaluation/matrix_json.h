@@ -1,7 +1,7 @@
 #pragma once
 // A matrix for programs: one JSON list, an object for each contestant on each setting, in order.
 //
-// Keys: those of a report, and condition and ratios (docs/evaluation.md). Numbers read back to the
+// Keys: those of a report, and ratios (docs/evaluation.md). Numbers read back to the
 // same doubles. Pure.
 #include <string>
 

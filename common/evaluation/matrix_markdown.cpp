@@ -20,7 +20,8 @@ std::string FormatCell(const Estimate& value, int decimals, bool best) {
   return best ? "**" + text + "**" : text;
 }
 
-std::string FormatTable(const MatrixTable& table, int decimals) {
+std::string FormatTable(const MatrixTable& table) {
+  const int decimals = DecimalsOf(table);
   std::string text = "| |";
   for (const int agents : table.agents) text += fmt::format(" N = {} |", agents);
   text += "\n|---|";
@@ -40,27 +41,23 @@ std::string FormatTable(const MatrixTable& table, int decimals) {
   return text + "\n";
 }
 
-std::string FormatSection(std::span<const Comparison> panel, Metric metric, RatioTo ratio_to) {
-  const MatrixTable table = TableOf(panel, metric, ratio_to);
+std::string FormatSection(std::span<const Comparison> panel, Metric metric) {
+  const MatrixTable table = TableOf(panel, metric);
   const EvaluationReport& first = panel.front().front();
-  const int decimals = ratio_to == RatioTo::kNothing ? DecimalsOf(table) : 3;
   return fmt::format("{}: {}. {} by number N of robots; {}; best in bold.\n\n{}\n",
                      Escaped(PanelName(first)), table.title,
                      first.options.episodes > 1 ? "Mean ± 95 % interval" : "Values",
-                     DescribeProtocol(panel), FormatTable(table, decimals));
+                     DescribeProtocol(panel), FormatTable(table));
 }
 
 }  // namespace
 
-std::string MatrixAsMarkdown(const Matrix& matrix, RatioTo ratio_to) {
+std::string MatrixAsMarkdown(const Matrix& matrix) {
   std::string text;
   for (const std::span<const Comparison> panel : Panels(matrix)) {
     const EvaluationReport& first = panel.front().front();
-    const std::vector<Metric> metrics = MetricsOf(first.options.protocol);
     text += fmt::format("{}## {}\n\n", text.empty() ? "" : "\n", Escaped(PanelName(first)));
-    for (const Metric metric : metrics) text += FormatSection(panel, metric, ratio_to);
-    if (ratio_to == RatioTo::kBestClassical || BestClassicalOf(panel.front()) == nullptr) continue;
-    text += FormatSection(panel, metrics.front(), RatioTo::kBestClassical);
+    for (const Metric metric : MetricsOf(panel)) text += FormatSection(panel, metric);
   }
   return text;
 }

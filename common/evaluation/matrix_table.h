@@ -11,17 +11,15 @@
 
 namespace ronda {
 
-enum class Metric { kAgi, kWi, kFinal };
-
-/// What figures are given as: themselves, or ratios.
-enum class RatioTo {
-  kNothing,        // seconds
-  kBound,          // to the lower bound; the final idleness, which has none, stays in seconds
-  kBestClassical,  // to the best classical strategy of the setting, paired by episode
+enum class Metric {
+  kAgi,
+  kWi,
+  kFinal,
+  kRatio,  // of the headline figure to the best classical strategy's, paired by episode
 };
 
 struct MatrixTable {
-  std::string title;        // "AGI (s)", "WI to the lower bound"
+  std::string title;        // "AGI (s)"
   std::vector<int> agents;  // (columns)
   struct Row {
     std::string contestant;
@@ -32,13 +30,15 @@ struct MatrixTable {
   std::vector<double> lower_bound;  // (columns), or empty where there is none
 };
 
-/// The headline figure first.
-std::vector<Metric> MetricsOf(Protocol protocol);
+/// What a panel is shown by: the headline figure first, ratios last and only where a classical
+/// strategy takes part.
+std::vector<Metric> MetricsOf(std::span<const Comparison> panel);
 
-/// kBestClassical needs a classical strategy among the contestants, else a bug.
-MatrixTable TableOf(std::span<const Comparison> panel, Metric metric, RatioTo ratio_to);
+/// kRatio needs a classical strategy among the contestants, else a bug.
+MatrixTable TableOf(std::span<const Comparison> panel, Metric metric);
 
-/// Decimals under which a table's means are told apart: 4 below 1, 2 below 100, else 1.
+/// Decimals under which a table's means are told apart: 3 where the least is below 10, 2 below
+/// 100, else 1.
 int DecimalsOf(const MatrixTable& table);
 
 /// "steady protocol: warm-up 20, window 60 T_ref of 373.31 s / N; robots at 1 m/s; 20 episodes of

@@ -20,11 +20,15 @@ struct EpisodeStreams {
   Rng starts;
   Rng noise;
   Rng decisions;
+  Rng changes;
+  Rng messages;
 
   EpisodeStreams(std::uint64_t seed, int episode)
       : starts(SplitSeed(seed, 3 * static_cast<std::uint64_t>(episode))),
         noise(SplitSeed(seed, 3 * static_cast<std::uint64_t>(episode) + 1)),
-        decisions(SplitSeed(seed, 3 * static_cast<std::uint64_t>(episode) + 2)) {}
+        decisions(SplitSeed(seed, 3 * static_cast<std::uint64_t>(episode) + 2)),
+        changes(SplitSeed(~seed, 2 * static_cast<std::uint64_t>(episode))),
+        messages(SplitSeed(~seed, 2 * static_cast<std::uint64_t>(episode) + 1)) {}
 };
 
 /// One thread's world and strategy, used for episode after episode.
@@ -33,35 +37,42 @@ class EpisodePlayer {
   EpisodePlayer(const StrategyContext& context, const StrategyFactory& make_strategy,
                 const EvaluationOptions& options, const EvaluationResult& times)
       : seed_(options.seed),
-        speeds_mps_(static_cast<std::size_t>(options.agents), options.speed_mps),
+        attrition_(options.conditions.attrition),
         warmup_s_(times.warmup_s),
         end_s_(times.warmup_s + times.window_s),
         strategy_(make_strategy()),
-        world_(*context.graph, {.speeds_mps = speeds_mps_, .travel_noise = options.travel_noise}) {}
+        world_(*context.graph, WorldOptionsOf(options.conditions, options.agents)),
+        beliefs_(*context.graph, options.agents, strategy_->knowledge(),
+                 options.conditions.communication) {
+    beliefs_.OnHeard([this](int receiver, int sender) { strategy_->Hear(receiver, sender); });
+  }
+  EpisodePlayer(const EpisodePlayer&) = delete;
+  EpisodePlayer& operator=(const EpisodePlayer&) = delete;
 
   /// nullopt when stopped.
   std::optional<EpisodeResult> Play(int episode, TraceWriter* trace, const std::stop_token& stop) {
     EpisodeStreams streams(seed_, episode);
-    const auto starts = strategy_->Begin(world_.graph(), speeds_mps_, streams.starts);
+    const auto starts = strategy_->Begin(world_.graph(), world_.speeds_mps(), streams.starts);
     world_.Reset(starts, streams.noise);
-    if (trace != nullptr) trace->Starts(episode, starts);
+    const auto changes = DrawChanges(attrition_, world_.robot_count(), end_s_, streams.changes);
+    world_.Schedule(changes);
+    beliefs_.Begin(world_, streams.messages);
+    std::optional<EpisodeTrace> episode_trace;
+    if (trace != nullptr) episode_trace.emplace(*trace, episode, starts, changes);
     EpisodeResult result;
     const auto advance = [&](double until_s) {
       const bool finished =
-          trace == nullptr
-              ? Decide(until_s, streams.decisions, stop, result.decisions, [](const Arrival&) {})
-              : Decide(until_s, streams.decisions, stop, result.decisions,
-                       [&](const Arrival& arrival) {
-                         const bool starts_here = world_.previous_vertex(arrival.robot) < 0;
-                         if (!starts_here) trace->Visit(episode, arrival);
-                       });
+          episode_trace
+              ? Decide(until_s, streams.decisions, stop, result.decisions,
+                       [&](const Arrival& arrival) { episode_trace->Visit(arrival); })
+              : Decide(until_s, streams.decisions, stop, result.decisions, [](const Arrival&) {});
       if (finished) world_.AdvanceTo(until_s);
       return finished;
     };
     if (!advance(warmup_s_)) return std::nullopt;
     world_.BeginMeasurement();
     if (!advance(end_s_)) return std::nullopt;
-    if (trace != nullptr) trace->End(episode, end_s_);
+    if (episode_trace) episode_trace->End(end_s_);
     result.agi_s = world_.average_graph_idleness_s();
     result.wi_s = world_.worst_idleness_s();
     result.final_s = world_.instantaneous_graph_idleness_s();
@@ -74,20 +85,20 @@ class EpisodePlayer {
   bool Decide(double until_s, Rng& rng, const std::stop_token& stop, std::int64_t& decisions,
               const OnArrival& on_arrival) {
     constexpr std::int64_t kStopInterval = 4096;
-    while (const auto arrival = world_.NextArrival(until_s)) {
+    while (const auto arrival = PlayNext(world_, beliefs_, *strategy_, until_s, rng)) {
       on_arrival(*arrival);
-      world_.Depart(arrival->robot, strategy_->Decide(world_, *arrival, rng));
       if (++decisions % kStopInterval == 0 && stop.stop_requested()) return false;
     }
     return !stop.stop_requested();
   }
 
   std::uint64_t seed_;
-  std::vector<double> speeds_mps_;  // (N)
+  Attrition attrition_;
   double warmup_s_;
   double end_s_;
   std::unique_ptr<Strategy> strategy_;
   PatrolWorld world_;
+  TeamBeliefs beliefs_;
 };
 
 /// One episode of one evaluation.
@@ -236,17 +247,15 @@ void CheckOptions(const EvaluationOptions& options) {
         options.agents);
   check(options.episodes >= 1 && options.episodes <= kMaxEpisodes,
         "episodes must be in 1 … 1000000", options.episodes);
-  check(options.speed_mps > 0.0 && std::isfinite(options.speed_mps),
-        "speed must be > 0 m/s and finite", options.speed_mps);
-  check(options.travel_noise >= 0.0 && std::isfinite(options.travel_noise),
-        "noise must be ≥ 0 and finite", options.travel_noise);
   check(options.horizon_s > 0.0 && std::isfinite(options.horizon_s),
         "horizon must be > 0 s and finite", options.horizon_s);
+  CheckConditions(options.conditions, options.agents);
 }
 
 EvaluationResult ProtocolTimes(const StrategyContext& context, const EvaluationOptions& options) {
   EvaluationResult times;
-  times.t_ref_s = context.closed_walk->length_m / (options.agents * options.speed_mps);
+  times.t_ref_s =
+      context.closed_walk->length_m / TotalSpeed_mps(options.conditions, options.agents);
   const bool steady = options.protocol == Protocol::kSteady;
   times.warmup_s = steady ? kWarmupTref * times.t_ref_s : 0.0;
   times.window_s = steady ? kWindowTref * times.t_ref_s : options.horizon_s;

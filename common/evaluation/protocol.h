@@ -4,9 +4,9 @@
 // steady: random starts, warm-up 20 T_ref, then a window of 60 T_ref, where T_ref is the length of
 // the map's shortest closed walk over the sum of speeds. thesis: from zero idleness to a fixed
 // horizon, no warm-up. AGI and WI count over the window; final idleness is the mean idleness at the
-// episode's end. Episode e draws starts, travel noise and decisions from streams of its own, split
-// from the seed, so every strategy sees the same starts and results do not depend on the number of
-// threads. Source: thesis §4.3; docs/evaluation.md.
+// episode's end. Episode e draws starts, noise, decisions, failures and lost messages from streams
+// of its own, split from the seed, so every strategy sees the same starts and results do not depend
+// on the number of threads. Source: thesis §4.3; docs/evaluation.md.
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -18,6 +18,7 @@
 
 #include "common/evaluation/statistics.h"
 #include "common/evaluation/trace.h"
+#include "common/world/conditions.h"
 #include "common/world/strategies/strategy.h"
 
 namespace ronda {
@@ -32,10 +33,9 @@ struct EvaluationOptions {
   double horizon_s = 600.0;  // of the thesis protocol, > 0
   int episodes = 20;         // 1 … kMaxEpisodes
   std::uint64_t seed = 1;
-  int agents = 1;             // 1 … kMaxAgents
-  double speed_mps = 1.0;     // > 0
-  double travel_noise = 0.0;  // ≥ 0, as in WorldOptions
-  int threads = 0;            // 0: one for each core; with a trace always one
+  int agents = 1;  // 1 … kMaxAgents
+  Conditions conditions = {};
+  int threads = 0;  // 0: one for each core; with a trace always one
 };
 
 inline constexpr int kMaxAgents = 10'000;

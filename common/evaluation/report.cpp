@@ -1,6 +1,7 @@
 #include "common/evaluation/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -11,11 +12,43 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json SampleAsJson(const std::vector<double>& values) {
-  Json json = EstimateAsJson(MeanWithInterval(values));
-  const auto deviation = StandardDeviation(values);
-  json["sd"] = deviation ? Json(*deviation) : Json(nullptr);
+template <class T>
+Json OrNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/// All but speed and noise, which stand for themselves.
+Json ConditionsAsJson(const Conditions& conditions) {
+  const Communication& communication = conditions.communication;
+  const Attrition& attrition = conditions.attrition;
+  Json json;
+  json["label"] = Label(conditions);
+  json["message_loss"] = communication.loss();
+  json["message_range_m"] = OrNull(communication.message_range_m);
+  json["message_delay_s"] = communication.message_delay_s;
+  json["observation_radius_m"] = OrNull(communication.observation_radius_m);
+  json["changes"] = Json::array();
+  for (const RobotChange& change : attrition.changes) {
+    json["changes"].push_back({{"robot", change.robot},
+                               {"time_s", change.time_s},
+                               {"event", change.joins ? "join" : "fail"}});
+  }
+  json["mean_time_to_failure_s"] = OrNull(attrition.mean_time_to_failure_s);
+  json["repair_s"] = OrNull(attrition.repair_s);
+  json["priorities"] = Json::object();
+  for (const auto& [vertex, priority] : conditions.priorities) {
+    json["priorities"][vertex] = priority;
+  }
+  json["stay_s"] = conditions.stay_s;
   return json;
+}
+
+std::string FormatConditions(const Conditions& conditions) {
+  Conditions others = conditions;
+  others.speeds_mps = Conditions().speeds_mps;
+  const std::string label = Label(others);
+  return fmt::format("at {:g} m/s{}{}", fmt::join(conditions.speeds_mps, "/"),
+                     label.empty() ? "" : ", ", label);
 }
 
 std::string FormatProtocol(const EvaluationReport& report) {
@@ -39,33 +72,35 @@ Json EstimateAsJson(const Estimate& estimate) {
   return json;
 }
 
-Json SettingAsJson(const EvaluationReport& report) {
+Json ReportAsJsonValue(const EvaluationReport& report) {
+  const EvaluationResult& result = report.result;
   Json json;
   json["map"] = report.map;
   json["agents"] = report.options.agents;
   json[KindName(report.contestant.kind)] = report.contestant.name;
-  json["speed_mps"] = report.options.speed_mps;
-  json["noise"] = report.options.travel_noise;
+  const std::vector<double>& speeds_mps = report.options.conditions.speeds_mps;
+  json["speed_mps"] = speeds_mps.size() == 1 ? Json(speeds_mps.front()) : Json(speeds_mps);
+  json["noise"] = report.options.conditions.travel_noise;
+  json["conditions"] = ConditionsAsJson(report.options.conditions);
   json["seed"] = report.options.seed;
   json["protocol"] = ProtocolName(report.options.protocol);
-  json["episodes"] = report.options.episodes;
-  return json;
-}
-
-Json ReportAsJsonValue(const EvaluationReport& report) {
-  const EvaluationResult& result = report.result;
-  Json json = SettingAsJson(report);
+  json["episodes"] = result.episodes.size();
   json["t_ref_s"] = result.t_ref_s;
   json["warmup_s"] = result.warmup_s;
   json["window_s"] = result.window_s;
   json["decisions"] = result.decisions();
-  json["agi_s"] = SampleAsJson(result.agi_s());
-  json["wi_s"] = SampleAsJson(result.wi_s());
-  json["final_s"] = SampleAsJson(result.final_s());
+  json["agi_s"] = EstimateAsJson(MeanWithInterval(result.agi_s()));
+  json["wi_s"] = EstimateAsJson(MeanWithInterval(result.wi_s()));
+  json["final_s"] = EstimateAsJson(MeanWithInterval(result.final_s()));
   if (report.ratio_to_random) json["ratio_to_random"] = *report.ratio_to_random;
   json["lower_bound_agi_s"] = report.bounds.agi_s;
   json["lower_bound_wi_s"] = report.bounds.wi_s;
   return json;
+}
+
+LowerBounds BoundsOf(const PatrolGraph& graph, const EvaluationOptions& options) {
+  return ComputeLowerBounds(graph, TotalSpeed_mps(options.conditions, options.agents),
+                            options.agents);
 }
 
 std::string ReportAsJson(const EvaluationReport& report) {
@@ -74,10 +109,6 @@ std::string ReportAsJson(const EvaluationReport& report) {
 
 const char* KindName(ContestantKind kind) {
   return kind == ContestantKind::kPolicy ? "policy" : "strategy";
-}
-
-std::string ConditionLabel(const EvaluationOptions& options) {
-  return options.travel_noise > 0.0 ? fmt::format("noise {}", options.travel_noise) : "";
 }
 
 std::string FormatSeconds(double seconds) {
@@ -92,12 +123,10 @@ std::string FormatEstimate(const Estimate& estimate) {
 
 std::string FormatSetting(const EvaluationReport& report) {
   return fmt::format(
-      "{}, {} robot{} at {:g} m/s, noise {:g}\n{}\n{} episode{}, seed {}; mean ± 95 % interval "
-      "over "
-      "episodes\n",
+      "{}, {} robot{} {}\n{}\n{} episode{}, seed {}; mean ± 95 % interval over episodes\n",
       report.map, report.options.agents, report.options.agents == 1 ? "" : "s",
-      report.options.speed_mps, report.options.travel_noise, FormatProtocol(report),
-      report.options.episodes, report.options.episodes == 1 ? "" : "s", report.options.seed);
+      FormatConditions(report.options.conditions), FormatProtocol(report), report.options.episodes,
+      report.options.episodes == 1 ? "" : "s", report.options.seed);
 }
 
 std::string FormatReport(const EvaluationReport& report) {

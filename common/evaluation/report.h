@@ -21,10 +21,6 @@ struct Contestant {
   friend bool operator==(const Contestant&, const Contestant&) = default;
 };
 
-/// In what a setting differs from the plain case, beside map and team size: "noise 0.1"; "" where
-/// in nothing.
-std::string ConditionLabel(const EvaluationOptions& options);
-
 struct EvaluationReport {
   std::string map;  // as the user named it
   Contestant contestant;
@@ -34,6 +30,9 @@ struct EvaluationReport {
   /// Thesis protocol only: the random walk's mean final idleness over this one's.
   std::optional<double> ratio_to_random;
 };
+
+/// The lower bounds that stand beside an evaluation with these options.
+LowerBounds BoundsOf(const PatrolGraph& graph, const EvaluationOptions& options);
 
 /// One JSON object, indented, without a line end.
 std::string ReportAsJson(const EvaluationReport& report);

@@ -7,10 +7,6 @@
 
 namespace ronda {
 
-/// The first keys of a report: what was judged on what, without any result. Every option that
-/// changes results is among them: what is kept is found by them (deploy/cell_journal.h).
-nlohmann::ordered_json SettingAsJson(const EvaluationReport& report);
-
 nlohmann::ordered_json EstimateAsJson(const Estimate& estimate);
 
 nlohmann::ordered_json ReportAsJsonValue(const EvaluationReport& report);

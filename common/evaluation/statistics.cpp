@@ -18,22 +18,15 @@ double Mean(std::span<const double> values) {
 
 }  // namespace
 
-std::optional<double> StandardDeviation(std::span<const double> values) {
+Estimate MeanWithInterval(std::span<const double> values) {
   const double mean = Mean(values);
-  if (values.size() == 1) return std::nullopt;
+  if (values.size() == 1) return {.mean = mean, .ci95 = std::nullopt};
   double squares = 0.0;
   for (const double value : values) squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / (static_cast<double>(values.size()) - 1.0));
-}
-
-Estimate MeanWithInterval(std::span<const double> values) {
-  Estimate estimate{.mean = Mean(values), .ci95 = std::nullopt};
-  if (const auto deviation = StandardDeviation(values)) {
-    const auto count = static_cast<double>(values.size());
-    const double quantile = boost::math::quantile(boost::math::students_t(count - 1.0), 0.975);
-    estimate.ci95 = quantile * *deviation / std::sqrt(count);
-  }
-  return estimate;
+  const auto count = static_cast<double>(values.size());
+  const double standard_error = std::sqrt(squares / (count - 1.0) / count);
+  const double quantile = boost::math::quantile(boost::math::students_t(count - 1.0), 0.975);
+  return {.mean = mean, .ci95 = quantile * standard_error};
 }
 
 Estimate Over(const Estimate& estimate, double divisor) {

@@ -23,7 +23,7 @@ inline constexpr std::uint32_t kPolicyFormat = 2;
 struct TrainingFacts {
   std::string map = {};    // name of the map that it was trained on
   int agents = 0;          // number of robots that it was trained with; 0: several
-  double speed_mps = 0.0;  // of every robot
+  double speed_mps = 0.0;  // of every robot; 0: they differ
   std::string algorithm = {};
   std::int64_t seed = -1;  // −1: not known
   std::string reward = {};

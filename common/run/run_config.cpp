@@ -30,7 +30,7 @@ RunConfig ReadRunConfig(Config& config) {
       config.GetInt("interface.features", 0, 0, 10'000, "features of one candidate; 0: none"));
   run.schema = config.GetString("interface.schema", "", {}, "name of the observation");
   run.speed_mps = config.GetDouble("interface.speed_mps", 0.0, 0.0, kNoLimit,
-                                   "of every robot (the environment's)");
+                                   "of every robot (the environment's); 0: they differ");
   run.reward = config.GetString("interface.reward", "", {}, "name of the reward");
   run.discount_horizon_s = config.GetDouble("interface.discount_horizon_s", 0.0, 0.0, kNoLimit,
                                             "−1/ln γ (follows from map and team)");

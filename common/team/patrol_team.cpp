@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "common/team/policy_strategy.h"
+#include "common/world/team_beliefs.h"
 
 namespace ronda {
 
@@ -30,7 +31,7 @@ PatrolTeam::PatrolTeam(const PatrolGraph& graph, const std::filesystem::path& po
 
 int PatrolTeam::Decide(const RobotReport& report) {
   const Arrival arrival = Take(report);
-  const int next_vertex = strategy_->Decide(world_, arrival, rng_);
+  const int next_vertex = strategy_->Decide(CompleteBelief(world_, arrival.robot), rng_);
   world_.Depart(report.robot, next_vertex);
   return next_vertex;
 }

@@ -58,9 +58,11 @@ class PolicyStrategy final : public Strategy {
     return Strategy::Begin(graph, speeds_mps, rng);
   }
 
-  int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& /*rng*/) override {
-    encoder_.Encode(world, arrival.robot, observation_, legal_);
-    return encoder_.NextVertex(arrival.vertex, policy_.Act(observation_, legal_));
+  Knowledge knowledge() const override { return kObservedKnowledge; }
+
+  int Decide(const Belief& belief, Rng& /*rng*/) override {
+    encoder_.Encode(belief, observation_, legal_);
+    return encoder_.NextVertex(belief.vertex, policy_.Act(observation_, legal_));
   }
 
  private:

@@ -49,7 +49,7 @@ std::vector<double> Weights(GraphData& data) {
   RONDA_CHECK(priorities.empty() || priorities.size() == data.positions.size(),
               "{} priorities for {} vertices", priorities.size(), data.positions.size());
   for (std::size_t v = 0; v < priorities.size(); ++v) {
-    if (!(priorities[v] >= 1e-6 && priorities[v] <= 1e6)) {
+    if (!IsPriority(priorities[v])) {
       throw InputError(fmt::format("vertex {}: a priority must be in 1e-6 … 1e6, got {}",
                                    data.vertex_ids[v], priorities[v]));
     }

@@ -44,6 +44,9 @@ struct GraphData {
   std::optional<ClosedWalk> shortest_closed_walk = {};
 };
 
+/// What a vertex's priority may be: in 1e-6 … 1e6.
+inline bool IsPriority(double value) { return value >= 1e-6 && value <= 1e6; }
+
 class PatrolGraph {
  public:
   /// Bounds the memory of all-pairs tables (1.2 GB), whatever a file says.
@@ -55,6 +58,8 @@ class PatrolGraph {
   /// the closed walk is none; the message names the element.
   explicit PatrolGraph(GraphData data);
 
+  /// What it was made of.
+  const GraphData& data() const { return data_; }
   const std::string& name() const { return data_.name; }
   int vertex_count() const { return static_cast<int>(data_.positions.size()); }
   int edge_count() const { return static_cast<int>(data_.edges.size()); }

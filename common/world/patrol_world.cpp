@@ -10,10 +10,16 @@
 namespace ronda {
 
 PatrolWorld::PatrolWorld(const PatrolGraph& graph, const WorldOptions& options)
-    : graph_(&graph), travel_noise_(options.travel_noise), speed_mps_(options.speeds_mps) {
+    : graph_(&graph),
+      travel_noise_(options.travel_noise),
+      stay_s_(options.stay_s > 0.0 ? RoundedDuration_s(options.stay_s) : options.stay_s),
+      speed_mps_(options.speeds_mps) {
   if (speed_mps_.empty()) throw InputError("a patrolled world needs at least 1 robot, got 0");
   if (!(travel_noise_ >= 0.0) || !std::isfinite(travel_noise_)) {
     throw InputError(fmt::format("travel noise must be ≥ 0 and finite, got {}", travel_noise_));
+  }
+  if (!(stay_s_ >= 0.0) || !std::isfinite(stay_s_)) {
+    throw InputError(fmt::format("a stay must be ≥ 0 s and finite, got {}", stay_s_));
   }
   for (std::size_t robot = 0; robot < speed_mps_.size(); ++robot) {
     const double speed_mps = speed_mps_[robot];
@@ -26,7 +32,10 @@ PatrolWorld::PatrolWorld(const PatrolGraph& graph, const WorldOptions& options)
   }
   target_.resize(speed_mps_.size());
   previous_.resize(speed_mps_.size());
+  departure_s_.resize(speed_mps_.size());
   arrival_s_.resize(speed_mps_.size());
+  expected_arrival_s_.resize(speed_mps_.size());
+  on_patrol_.resize(speed_mps_.size());
   last_visit_s_.resize(static_cast<std::size_t>(graph.vertex_count()));
 }
 
@@ -37,17 +46,89 @@ void PatrolWorld::Reset(std::span<const RobotStart> starts, const Rng& rng) {
   time_s_ = 0.0;
   waiting_ = -1;
   std::fill(last_visit_s_.begin(), last_visit_s_.end(), 0.0);
+  starts_.assign(starts.begin(), starts.end());
+  changes_.clear();
+  next_change_s_ = kNever_s;
   for (int robot = 0; robot < robot_count(); ++robot) {
-    const RobotStart& start = starts[robot];
-    const bool on_edge = start.remaining_m > 0.0;
-    RONDA_CHECK(!on_edge || start.remaining_m <= graph_->edge_length_m(start.vertex, start.next),
+    const RobotStart& start = starts_[robot];
+    RONDA_CHECK(start.remaining_m <= 0.0 ||
+                    start.remaining_m <= graph_->edge_length_m(start.vertex, start.next),
                 "robot {} starts {} m before vertex {}, beyond its edge", robot, start.remaining_m,
                 start.next);
-    target_[robot] = on_edge ? start.next : start.vertex;
-    previous_[robot] = on_edge ? start.vertex : -1;
-    arrival_s_[robot] = on_edge ? travel_time_s(robot, start.remaining_m) : 0.0;
+    Place(robot);
   }
   BeginMeasurement();
+}
+
+void PatrolWorld::Place(int robot) {
+  const RobotStart& start = starts_[robot];
+  const bool on_edge = start.remaining_m > 0.0;
+  target_[robot] = on_edge ? start.next : start.vertex;
+  previous_[robot] = on_edge ? start.vertex : -1;
+  departure_s_[robot] = time_s_;
+  arrival_s_[robot] = time_s_;
+  if (on_edge) {
+    const double length_m = graph_->edge_length_m(start.vertex, start.next);
+    departure_s_[robot] -= (length_m - start.remaining_m) * pace_spm_[robot];
+    arrival_s_[robot] += travel_time_s(robot, start.remaining_m);
+  }
+  expected_arrival_s_[robot] = arrival_s_[robot];
+  on_patrol_[robot] = 1;
+}
+
+void PatrolWorld::Schedule(std::span<const RobotChange> changes) {
+  RONDA_CHECK(time_s_ == 0.0 && waiting_ < 0, "changes scheduled at {} s", time_s_);
+  changes_.assign(changes.rbegin(), changes.rend());
+  next_change_s_ = changes_.empty() ? kNever_s : changes_.back().time_s;
+  for (const RobotChange& change : changes_) on_patrol_[change.robot] = change.joins ? 0 : 1;
+  for (int robot = 0; robot < robot_count(); ++robot) {
+    if (on_patrol_[robot] == 0) Remove(robot);
+  }
+}
+
+void PatrolWorld::Remove(int robot) {
+  on_patrol_[robot] = 0;
+  target_[robot] = -1;
+  previous_[robot] = -1;
+  arrival_s_[robot] = kNever_s;
+  expected_arrival_s_[robot] = kNever_s;
+}
+
+void PatrolWorld::Apply(const RobotChange& change) {
+  RONDA_CHECK((on_patrol_[change.robot] == 0) == change.joins, "robot {} {} at {} s", change.robot,
+              change.joins ? "joins, but is there" : "fails, but is not there", change.time_s);
+  time_s_ = change.time_s;
+  if (change.joins) {
+    Place(change.robot);
+    return;
+  }
+  const int vertex = target_[change.robot];  // a stay ends here
+  last_visit_s_[vertex] = std::min(last_visit_s_[vertex], time_s_);
+  Remove(change.robot);
+}
+
+std::optional<Arrival> PatrolWorld::NextArrivalAfterChanges(double until_s) {
+  Apply(changes_.back());
+  changes_.pop_back();
+  next_change_s_ = changes_.empty() ? kNever_s : changes_.back().time_s;
+  return NextArrival(until_s);
+}
+
+void PatrolWorld::Stay(int robot) {
+  RONDA_CHECK(stay_s_ > 0.0, "robot {} stays put, which is not legal here", robot);
+  arrival_s_[robot] = time_s_ + stay_s_;
+  expected_arrival_s_[robot] = arrival_s_[robot];
+  last_visit_s_[target_[robot]] = std::max(last_visit_s_[target_[robot]], arrival_s_[robot]);
+}
+
+Position PatrolWorld::position(int robot) const {
+  const Position& ahead = graph_->positions()[target_[robot]];
+  if (previous_[robot] < 0 || arrival_s_[robot] <= time_s_) return ahead;
+  const Position& behind = graph_->positions()[previous_[robot]];
+  const double left =
+      (arrival_s_[robot] - time_s_) / (arrival_s_[robot] - departure_s_[robot]);  // share
+  return {.x_m = left * behind.x_m + (1.0 - left) * ahead.x_m,
+          .y_m = left * behind.y_m + (1.0 - left) * ahead.y_m};
 }
 
 void PatrolWorld::SetLastVisit(int vertex, double time_s) {
@@ -77,6 +158,7 @@ Arrival PatrolWorld::Arrive(int robot, int vertex, double time_s) {
   target_[robot] = vertex;
   for (double& arrival_s : arrival_s_) arrival_s = std::max(arrival_s, time_s);
   arrival_s_[robot] = time_s;
+  expected_arrival_s_ = arrival_s_;
   return Visit(robot, time_s);
 }
 
@@ -115,12 +197,16 @@ double PatrolWorld::worst_idleness_s() const {
 
 double PatrolWorld::instantaneous_graph_idleness_s() const {
   double sum_s = 0.0;
-  for (const double last_s : last_visit_s_) sum_s += time_s_ - last_s;
+  for (int vertex = 0; vertex < graph_->vertex_count(); ++vertex) sum_s += idleness_s(vertex);
   return sum_s / graph_->vertex_count();
 }
 
 double PatrolWorld::instantaneous_worst_idleness_s() const {
-  return time_s_ - *std::min_element(last_visit_s_.begin(), last_visit_s_.end());
+  double worst_s = 0.0;
+  for (int vertex = 0; vertex < graph_->vertex_count(); ++vertex) {
+    worst_s = std::max(worst_s, idleness_s(vertex));
+  }
+  return worst_s;
 }
 
 }  // namespace ronda

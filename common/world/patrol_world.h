@@ -9,15 +9,19 @@
 // "simultaneous" does not depend on the order of additions.
 //
 //   world.Reset(starts, rng);
+//   world.Schedule(changes);                       // where robots fail or join
 //   while (const auto arrival = world.NextArrival(until_s))
 //     world.Depart(arrival->robot, next_vertex);
 //   world.AdvanceTo(until_s);
+//
+// Idleness is weighted by the vertices' priorities (PatrolGraph::weights, all 1 by default). A
+// robot that stays put (where that is legal) keeps its vertex at idleness 0 for so long.
 //
 // AGI and WI over [BeginMeasurement, now] are exact (piecewise linear integrals at the events). No
 // allocation after the first Reset. O(N) an event. Thread-compatible; copyable (a copy is an
 // independent world in the same state). Source: thesis §1.2, §1.3, §4.2.
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,42 +29,14 @@
 #include "common/base/check.h"
 #include "common/base/rng.h"
 #include "common/world/patrol_graph.h"
+#include "common/world/world_options.h"
 
 namespace ronda {
-
-/// Where a robot is at time 0: on `vertex`, or (remaining_m > 0) on the edge from `vertex` to
-/// `next`, `remaining_m` before `next`.
-struct RobotStart {
-  int vertex = 0;
-  int next = 0;
-  double remaining_m = 0.0;
-};
-
-struct WorldOptions {
-  std::vector<double> speeds_mps;  // (N), each > 0
-  double travel_noise = 0.0;  // σ ≥ 0: a traversal takes length/speed · exp(σZ − σ²/2)
-};
-
-/// The resolution of time, 2^-30 s.
-inline constexpr double kTimeStep_s = 0x1p-30;
-
-/// A duration on the grid of time: rounded to the nearest multiple of kTimeStep_s, never 0.
-inline double RoundedDuration_s(double duration_s) {
-  return std::max(kTimeStep_s, std::nearbyint(duration_s * 0x1p30) * kTimeStep_s);
-}
-
-/// A robot has arrived and waits for its next vertex.
-struct Arrival {
-  int robot = 0;
-  int vertex = 0;
-  double time_s = 0.0;
-  double idleness_s = 0.0;  // of the vertex, just before this visit reset it
-};
 
 class PatrolWorld {
  public:
   /// `graph` must outlive the world.
-  /// At least one robot, speeds positive and finite, noise not negative and finite; else
+  /// At least one robot, speeds positive and finite, noise and stay not negative and finite; else
   /// InputError.
   PatrolWorld(const PatrolGraph& graph, const WorldOptions& options);
 
@@ -71,13 +47,18 @@ class PatrolWorld {
   /// Right after Reset: `vertex` was last visited at `time_s` ≤ 0, so the world starts idle.
   void SetLastVisit(int vertex, double time_s);
 
+  /// Right after Reset: robots fail and join at given times, ascending; one whose first change is
+  /// to join is absent until then. Each change must be one: who is there fails, who is not joins.
+  void Schedule(std::span<const RobotChange> changes);
+
   /// Starts for N robots: uniform, distinct while N ≤ V (then every vertex once before any twice).
   static std::vector<RobotStart> RandomStarts(const PatrolGraph& graph, int robots, Rng& rng);
 
   /// The next arrival, at or before `until_s`; nullopt when there is none (time then stays at the
   /// last event). Every arrival must be followed by Depart for that robot before the next call.
   std::optional<Arrival> NextArrival(double until_s);
-  void Depart(int robot, int next_vertex);  // a neighbour of where it stands; else a bug
+  /// To a neighbour of where it stands, or that vertex itself where staying is legal; else a bug.
+  void Depart(int robot, int next_vertex);
 
   /// Instead of NextArrival, where robots are real: `robot` says that it is at `vertex` at `time_s`
   /// ≥ the clock. Others that should have arrived by then are expected at any moment.
@@ -93,15 +74,28 @@ class PatrolWorld {
   const PatrolGraph& graph() const { return *graph_; }
   int robot_count() const { return static_cast<int>(target_.size()); }
   double time_s() const { return time_s_; }
+  double stay_s() const { return stay_s_; }
   double last_visit_s(int vertex) const { return last_visit_s_[vertex]; }
   std::span<const double> last_visits_s() const { return last_visit_s_; }
-  double idleness_s(int vertex) const { return time_s_ - last_visit_s_[vertex]; }
-  /// Where the robot goes (or, while it waits for its action, stands), when it will be there, and
-  /// the vertex that it left.
+  double idleness_s(int vertex) const {
+    return graph_->weights()[vertex] * std::max(0.0, time_s_ - last_visit_s_[vertex]);
+  }
+  /// 1 for each robot that is there, 0 where it has failed or has not joined.
+  std::span<const std::uint8_t> on_patrol() const { return on_patrol_; }
+  /// Where the robot goes (while it waits for its action: stands; −1: it is not there), when it
+  /// will be there, and the vertex that it left.
   int target(int robot) const { return target_[robot]; }
   double arrival_s(int robot) const { return arrival_s_[robot]; }
   int previous_vertex(int robot) const { return previous_[robot]; }  // −1 before its first move
+  std::span<const int> targets() const { return target_; }
+  std::span<const int> previous_vertices() const { return previous_; }
+  /// When each robot announced that it would arrive: as arrival_s, but for the noise. ∞ where it is
+  /// not there.
+  std::span<const double> expected_arrivals_s() const { return expected_arrival_s_; }
+  /// Where the robot is: on its way from the vertex that it left.
+  Position position(int robot) const;
   double speed_mps(int robot) const { return speed_mps_[robot]; }
+  std::span<const double> speeds_mps() const { return speed_mps_; }
   double total_speed_mps() const { return total_speed_mps_; }
   /// How long the robot takes for `length_m` without noise; what a team announces and expects.
   double travel_time_s(int robot, double length_m) const {
@@ -118,16 +112,23 @@ class PatrolWorld {
  private:
   /// ∫ idleness of `vertex` since its last visit or the beginning of the window, up to now; s².
   double OpenIntegral_s2(int vertex) const {
-    const double idleness_s = time_s_ - last_visit_s_[vertex];
+    const double idle_s = std::max(0.0, time_s_ - last_visit_s_[vertex]);
     const double before_s = std::max(0.0, measure_from_s_ - last_visit_s_[vertex]);
-    return 0.5 * (idleness_s * idleness_s - before_s * before_s);
+    return 0.5 * graph_->weights()[vertex] * (idle_s * idle_s - before_s * before_s);
   }
   double NoiseFactor();
+  void Stay(int robot);
+  void Remove(int robot);
+  /// Puts a robot where it starts.
+  void Place(int robot);
+  void Apply(const RobotChange& change);
+  std::optional<Arrival> NextArrivalAfterChanges(double until_s);
   /// `robot` is where it went, at `time_s`.
   Arrival Visit(int robot, double time_s);
 
   const PatrolGraph* graph_;
   double travel_noise_;
+  double stay_s_;
   double total_speed_mps_ = 0.0;
   Rng rng_{0};
   double time_s_ = 0.0;
@@ -139,8 +140,14 @@ class PatrolWorld {
   std::vector<double> pace_spm_;   // (N) seconds per metre
   std::vector<int> target_;        // (N)
   std::vector<int> previous_;      // (N)
-  std::vector<double> arrival_s_;  // (N)
-  std::vector<double> last_visit_s_;  // (V)
+  std::vector<double> departure_s_;         // (N)
+  std::vector<double> arrival_s_;           // (N) ∞: not there
+  std::vector<double> expected_arrival_s_;  // (N)
+  std::vector<std::uint8_t> on_patrol_;     // (N)
+  std::vector<RobotStart> starts_;          // (N)
+  std::vector<RobotChange> changes_;        // those to come, the next one last
+  double next_change_s_ = 0.0;              // ∞: none
+  std::vector<double> last_visit_s_;        // (V)
 };
 
 inline std::optional<Arrival> PatrolWorld::NextArrival(double until_s) {
@@ -153,7 +160,8 @@ inline std::optional<Arrival> PatrolWorld::NextArrival(double until_s) {
       robot = other;
     }
   }
-  if (earliest_s > until_s) return std::nullopt;
+  if (next_change_s_ <= std::min(earliest_s, until_s)) return NextArrivalAfterChanges(until_s);
+  if (earliest_s > until_s || earliest_s == kNever_s) return std::nullopt;
   return Visit(robot, earliest_s);
 }
 
@@ -161,22 +169,28 @@ inline Arrival PatrolWorld::Visit(int robot, double time_s) {
   time_s_ = time_s;
   waiting_ = robot;
   const int vertex = target_[robot];
-  const double idleness_s = time_s_ - last_visit_s_[vertex];
+  const double idle_s = idleness_s(vertex);
   idleness_integral_s2_ += OpenIntegral_s2(vertex);
-  worst_closed_s_ = std::max(worst_closed_s_, idleness_s);
-  last_visit_s_[vertex] = time_s_;
-  return Arrival{.robot = robot, .vertex = vertex, .time_s = time_s_, .idleness_s = idleness_s};
+  worst_closed_s_ = std::max(worst_closed_s_, idle_s);
+  last_visit_s_[vertex] = std::max(time_s_, last_visit_s_[vertex]);
+  return Arrival{.robot = robot, .vertex = vertex, .time_s = time_s_, .idleness_s = idle_s};
 }
 
 inline void PatrolWorld::Depart(int robot, int next_vertex) {
   RONDA_CHECK(robot == waiting_, "robot {} does not wait for its next vertex", robot);
   const int vertex = target_[robot];
-  double duration_s = graph_->edge_length_m(vertex, next_vertex) * pace_spm_[robot];
-  if (travel_noise_ > 0.0) duration_s *= NoiseFactor();
+  waiting_ = -1;
   previous_[robot] = vertex;
   target_[robot] = next_vertex;
-  arrival_s_[robot] = time_s_ + RoundedDuration_s(duration_s);
-  waiting_ = -1;
+  departure_s_[robot] = time_s_;
+  if (next_vertex == vertex) {
+    Stay(robot);
+    return;
+  }
+  const double duration_s = graph_->edge_length_m(vertex, next_vertex) * pace_spm_[robot];
+  expected_arrival_s_[robot] = time_s_ + RoundedDuration_s(duration_s);
+  arrival_s_[robot] = travel_noise_ > 0.0 ? time_s_ + RoundedDuration_s(duration_s * NoiseFactor())
+                                          : expected_arrival_s_[robot];
 }
 
 }  // namespace ronda

@@ -34,10 +34,34 @@ TEST_CASE("The patrol environment conforms, whatever it observes, rewards and su
   const ShortestPaths paths(graph);
   PatrolEnvironment sut(graph, paths,
                         {.agents = where.agents,
-                         .travel_noise = noise,
+                         .conditions = {.travel_noise = noise},
                          .closed_walk_m = ClosedWalkOf(graph, paths).length_m,
                          .episode_length = where.episode_length,
                          .initial_idleness = where.agents == 2 ? 1.5 : 0.0,
+                         .observation = ParseObservationScheme(observation),
+                         .reward = ParseRewardScheme(reward)});
+
+  CheckEnvironmentConforms(sut);
+}
+
+TEST_CASE("The patrol environment conforms where robots fail, join, stay and hear little") {
+  const auto observation = GENERATE(from_range(ObservationNames()));
+  const auto reward = GENERATE(from_range(RewardNames()));
+  CAPTURE(observation, reward);
+  Conditions conditions{.speeds_mps = {1.0, 0.5}, .travel_noise = 0.2, .stay_s = 3.0};
+  conditions.communication = {.message_loss = 0.5,
+                              .message_range_m = 30.0,
+                              .message_delay_s = 2.0,
+                              .observation_radius_m = 10.0};
+  conditions.attrition = {.mean_time_to_failure_s = 60.0, .repair_s = 20.0};
+  conditions.priorities = {{"3", 5.0}};
+  const PatrolGraph graph = WithPriorities(Map("cumberland"), conditions);
+  const ShortestPaths paths(graph);
+  PatrolEnvironment sut(graph, paths,
+                        {.agents = 6,
+                         .conditions = conditions,
+                         .closed_walk_m = ClosedWalkOf(graph, paths).length_m,
+                         .episode_length = 6.0,
                          .observation = ParseObservationScheme(observation),
                          .reward = ParseRewardScheme(reward)});
 

@@ -25,7 +25,9 @@ inline std::vector<std::vector<double>> ReferenceCandidateFeatures(const PatrolW
   const double slack = 1e-5;
   const auto d = [&](int a, int b) { return paths.distance_m(a, b) / unit_m; };
   const auto idleness = [&](int x) { return world.idleness_s(x) / unit_s; };
-  const auto remaining = [&](int k) { return (world.arrival_s(k) - world.time_s()) / unit_s; };
+  const auto remaining = [&](int k) {  // as announced: without the noise
+    return std::max(0.0, world.expected_arrivals_s()[k] - world.time_s()) / unit_s;
+  };
   const auto can_be_at = [&](int k, int x) {
     return remaining(k) + d(world.target(k), x) * world.speed_mps(robot) / world.speed_mps(k);
   };

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/environments/observation_encoder.h"
+#include "common/world/team_beliefs.h"
 
 namespace ronda::testing {
 
@@ -16,7 +17,7 @@ inline Observation Encode(ObservationEncoder& encoder, const PatrolWorld& world,
   // Filled with what must be overwritten.
   Observation observation{.values = std::vector<float>(encoder.observation_size(), 99.0f),
                           .legal = std::vector<std::uint8_t>(encoder.num_actions(), 7)};
-  encoder.Encode(world, robot, observation.values, observation.legal);
+  encoder.Encode(CompleteBelief(world, robot), observation.values, observation.legal);
   return observation;
 }
 

@@ -14,8 +14,7 @@ inline EvaluationReport ReportOf(const Contestant& contestant, const std::vector
       .options = {.episodes = static_cast<int>(agi_s.size()),
                   .seed = 9,
                   .agents = 3,
-                  .speed_mps = 2.0,
-                  .travel_noise = 0.25},
+                  .conditions = {.speeds_mps = {2.0}, .travel_noise = 0.25}},
       .result = {.t_ref_s = 5.0, .warmup_s = 100.0, .window_s = 300.0, .episodes = {}},
       .bounds = {.agi_s = 2.0, .wi_s = 4.0, .wi_method = ""},
       .ratio_to_random = std::nullopt};

@@ -160,12 +160,12 @@ TEST_CASE("On an edge a robot belongs to both ends by its position, and the shar
   world.NextArrival(kForever);
   std::vector<float> row(4, 99.0f);
 
-  WriteAffiliation(world, 1, row);
+  WriteAffiliation(CompleteBelief(world, 0), 1, row);
   CHECK(row == std::vector<float>{0.75f, 0.0f, 0.25f, 0.0f});
 
   world.Depart(0, 0);  // there at 2 s, when robot 1 is 1 m before 2
   REQUIRE(world.NextArrival(kForever)->robot == 0);
-  WriteAffiliation(world, 1, row);
+  WriteAffiliation(CompleteBelief(world, 0), 1, row);
   CHECK(row == std::vector<float>{0.25f, 0.0f, 0.75f, 0.0f});
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("Under travel noise the shares of a row still sum to 1") {
   for (int i = 0; i < 300; ++i) {
     const auto arrival = world.NextArrival(kForever);
     for (int robot = 0; robot < 3; ++robot) {
-      WriteAffiliation(world, robot, row);
+      WriteAffiliation(CompleteBelief(world, arrival->robot), robot, row);
       float sum = 0.0f;
       for (const float share : row) {
         REQUIRE(share >= 0.0f);

@@ -70,7 +70,7 @@ TEST_CASE(
 
   for (int i = 0; i < 500; ++i) {
     const Arrival arrival = *world.NextArrival(std::numeric_limits<double>::infinity());
-    const int expected = strategy->Decide(world, arrival, rng);
+    const int expected = strategy->Decide(CompleteBelief(world, arrival.robot), rng);
     REQUIRE(sut.Decide({arrival.robot, arrival.vertex, arrival.time_s}) == expected);
     world.Depart(arrival.robot, expected);
     REQUIRE(sut.world().arrival_s(arrival.robot) == world.arrival_s(arrival.robot));

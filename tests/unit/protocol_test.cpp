@@ -32,7 +32,8 @@ EvaluationResult Play(const EvaluationMap& map, const std::string& strategy,
 TEST_CASE("Steady: T_ref is the closed walk over the sum of speeds, 20 of it warm up, 60 count") {
   const EvaluationMap map("4nodes");
 
-  const auto result = Play(map, "sebs", {.episodes = 1, .agents = 2, .speed_mps = 0.5});
+  const auto result =
+      Play(map, "sebs", {.episodes = 1, .agents = 2, .conditions = {.speeds_mps = {0.5}}});
 
   CHECK(result.t_ref_s == Approx(130.0));
   CHECK(result.warmup_s == Approx(2600.0));
@@ -49,7 +50,7 @@ TEST_CASE("Thesis: no warm-up, the horizon is the window, final idleness is that
                             .horizon_s = 26.0 + 1e-6,
                             .episodes = 1,
                             .agents = 1,
-                            .speed_mps = 25.0});
+                            .conditions = {.speeds_mps = {25.0}}});
 
   CHECK(result.warmup_s == 0.0);
   CHECK(result.window_s == 26.0 + 1e-6);
@@ -61,7 +62,7 @@ TEST_CASE("Results do not depend on the number of threads") {
   const EvaluationMap map("grid");
   for (const char* strategy : {"random", "cr"}) {
     const EvaluationOptions options{
-        .episodes = 7, .seed = 3, .agents = 3, .travel_noise = 0.1, .threads = 1};
+        .episodes = 7, .seed = 3, .agents = 3, .conditions = {.travel_noise = 0.1}, .threads = 1};
     auto many = options;
     many.threads = 4;
 
@@ -133,7 +134,7 @@ Recomputed Recompute(const TraceFile& trace, int episode, double warmup_s,
     if (row.episode != episode) continue;
     if (row.event == "end") {
       end_s = row.time_s;
-    } else {
+    } else if (row.event != "fail") {
       visits_s.at(row.vertex).push_back(row.time_s);
     }
   }
@@ -161,8 +162,8 @@ TEST_CASE("AGI, WI and final idleness recomputed from the trace are those report
     CAPTURE(strategy);
     const auto path = folder.path() / (std::string(strategy) + ".csv");
     TraceWriter sut(path, map.graph, "cumberland");
-    const auto result =
-        Play(map, strategy, {.episodes = 2, .agents = 7, .travel_noise = 0.05}, &sut);
+    const auto result = Play(
+        map, strategy, {.episodes = 2, .agents = 7, .conditions = {.travel_noise = 0.05}}, &sut);
     CHECK_FALSE(std::filesystem::exists(path));
     sut.Commit();
 
@@ -189,6 +190,77 @@ TEST_CASE("AGI, WI and final idleness recomputed from the trace are those report
   }
 }
 
+/// All that makes patrolling hard, at once.
+Conditions HardConditions() {
+  Conditions conditions{.speeds_mps = {1.0, 0.6}, .travel_noise = 0.2};
+  conditions.communication = {.message_loss = 0.3,
+                              .message_range_m = 40.0,
+                              .message_delay_s = 3.0,
+                              .observation_radius_m = 12.0};
+  conditions.attrition = {.mean_time_to_failure_s = 400.0, .repair_s = 100.0};
+  return conditions;
+}
+
+TEST_CASE("Under every condition the trace tells what was measured, with failures and joinings") {
+  const EvaluationMap map("cumberland");
+  const TemporaryFolder folder;
+  TraceWriter sut(folder.path() / "trace", map.graph, "cumberland");
+  const auto result =
+      Play(map, "er", {.episodes = 2, .agents = 6, .conditions = HardConditions()}, &sut);
+  sut.Commit();
+
+  const TraceFile trace = ReadTrace(folder.path() / "trace");
+  std::map<std::pair<int, int>, bool> there;
+  int failures = 0;
+  for (const TraceRow& row : trace.rows) {
+    if (row.event == "end") continue;
+    bool& is_there = there[{row.episode, row.robot}];
+    if (row.event == "fail") {
+      REQUIRE(is_there);
+      CHECK(row.vertex == "-1");
+      ++failures;
+    } else if (row.event != "visit") {
+      REQUIRE_FALSE(is_there);
+    } else {
+      REQUIRE(is_there);
+    }
+    is_there = row.event != "fail";
+  }
+  CHECK(failures > 20);
+  for (int episode = 0; episode < 2; ++episode) {
+    const auto again = Recompute(trace, episode, result.warmup_s, map.graph);
+    CHECK(again.agi_s == Approx(result.agi_s()[episode]).epsilon(1e-6));
+    CHECK(again.wi_s == Approx(result.wi_s()[episode]).epsilon(1e-6));
+    CHECK(again.final_s == Approx(result.final_s()[episode]).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("Under every condition the results do not depend on the number of threads") {
+  const EvaluationMap map("cumberland");
+  EvaluationOptions options{
+      .episodes = 6, .agents = 6, .conditions = HardConditions(), .threads = 1};
+  const auto alone = Play(map, "sebs", options);
+  options.threads = 3;
+
+  CHECK(Play(map, "sebs", options).agi_s() == alone.agi_s());
+}
+
+TEST_CASE("What robots do not hear costs what hearing is worth: sebs, 40 paired episodes") {
+  // 95 % intervals of the paired ratio to complete communication, far from 1 and from each other.
+  const EvaluationMap map("cumberland");
+  const auto agi_s = [&](const Communication& communication) {
+    return Play(map, "sebs",
+                {.episodes = 40, .agents = 10, .conditions = {.communication = communication}})
+        .agi_s();
+  };
+  const auto complete_s = agi_s({});
+  const Estimate half = PairedRatio(agi_s({.message_loss = 0.5}), complete_s);
+  const Estimate silent = PairedRatio(agi_s({.message_loss = 1.0}), complete_s);
+
+  CHECK(half.mean - *half.ci95 > 1.02);
+  CHECK(silent.mean - *silent.ci95 > half.mean + *half.ci95);
+}
+
 /// Goes to the first neighbour, and keeps where the robots of each episode started.
 class StartsProbe final : public Strategy {
  public:
@@ -198,8 +270,9 @@ class StartsProbe final : public Strategy {
     for (const RobotStart& start : starts) vertices_.push_back(start.vertex);
     return starts;
   }
-  int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& /*rng*/) override {
-    return world.graph().neighbours(arrival.vertex)[0];
+  Knowledge knowledge() const override { return {}; }
+  int Decide(const Belief& belief, Rng& /*rng*/) override {
+    return belief.graph->neighbours(belief.vertex)[0];
   }
   static std::vector<int> vertices_;  // one test uses it, on one thread
 };
@@ -227,7 +300,8 @@ TEST_CASE("Every strategy sees the same starts in the same episode") {
 
 class ThrowingStrategy final : public Strategy {
  public:
-  int Decide(const PatrolWorld& /*world*/, const Arrival& /*arrival*/, Rng& /*rng*/) override {
+  Knowledge knowledge() const override { return {}; }
+  int Decide(const Belief& /*belief*/, Rng& /*rng*/) override {
     throw std::runtime_error("no decision");
   }
 };
@@ -330,9 +404,9 @@ TEST_CASE("Options out of range are refused by name and value") {
   CHECK_THROWS_WITH(CheckOptions({.agents = 0}), "agents must be in 1 … 10000, got 0");
   CHECK_THROWS_AS(CheckOptions({.agents = 10'001}), UsageError);
   CHECK_THROWS_WITH(CheckOptions({.episodes = 0}), Catch::Contains("episodes"));
-  CHECK_THROWS_WITH(CheckOptions({.speed_mps = 0.0}), Catch::Contains("speed"));
-  CHECK_THROWS_WITH(CheckOptions({.speed_mps = kNan}), Catch::Contains("speed"));
-  CHECK_THROWS_WITH(CheckOptions({.travel_noise = -0.1}), Catch::Contains("noise"));
+  CHECK_THROWS_WITH(CheckOptions({.conditions = {.speeds_mps = {0.0}}}), Catch::Contains("speed"));
+  CHECK_THROWS_WITH(CheckOptions({.conditions = {.speeds_mps = {kNan}}}), Catch::Contains("speed"));
+  CHECK_THROWS_WITH(CheckOptions({.conditions = {.travel_noise = -0.1}}), Catch::Contains("noise"));
   CHECK_THROWS_WITH(CheckOptions({.horizon_s = 0.0}), Catch::Contains("horizon"));
 }
 

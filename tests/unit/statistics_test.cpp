@@ -22,11 +22,6 @@ TEST_CASE("One value has no interval") {
   CHECK_FALSE(sut.ci95);
 }
 
-TEST_CASE("The standard deviation is that of one value of a sample") {
-  CHECK(StandardDeviation(std::vector<double>{1.0, 2.0, 3.0, 4.0}) == Approx(1.290994));
-  CHECK_FALSE(StandardDeviation(std::vector<double>{7.0}));
-}
-
 TEST_CASE("Mean and interval are divided by what is known exactly") {
   const Estimate sut = Over({.mean = 6.0, .ci95 = 3.0}, 2.0);
   CHECK(sut.mean == 3.0);

@@ -9,11 +9,13 @@
 #include "common/world/strategies/sebs.h"
 #include "common/world/strategies/strategy.h"
 #include "tests/unit/graphs_by_hand.h"
+#include "tests/unit/played_team.h"
 
 namespace ronda {
 namespace {
 
 using testing::GraphOf;
+using testing::PlayedTeam;
 using testing::StandingOn;
 using testing::Star;
 
@@ -27,15 +29,6 @@ struct Setting {
     return MakeStrategy(name, {.graph = &graph, .paths = &paths, .closed_walk = &walk});
   }
 };
-
-/// Lets `strategy` see the arrival and decide, and departs.
-int DecideNext(PatrolWorld& world, Strategy& strategy, Rng& rng) {
-  const auto arrival = world.NextArrival(1e9);
-  REQUIRE(arrival);
-  const int next = strategy.Decide(world, *arrival, rng);
-  world.Depart(arrival->robot, next);
-  return next;
-}
 
 TEST_CASE("Equal best scores are chosen equally often, also when rounding sets them apart") {
   // χ² with 2 degrees of freedom exceeds 18.4 once in 10000.
@@ -85,25 +78,15 @@ TEST_CASE("CR goes by the robot's own visits, blind to its teammate's") {
   // Robot 0 was at leaf 1, robot 1 at leaf 2; to robot 0 the leaves 2 and 3 are equally idle.
   const Setting setting{Star(3)};
   const auto sut = setting.Make("cr");
-  PatrolWorld world(setting.graph, {.speeds_mps = {1.0, 1.0}});
-  const std::vector<double> speeds_mps{1.0, 1.0};
-  Rng rng = SplitSeed(2, 0);
+  PlayedTeam team(setting.graph, *sut, {1.0, 1.0}, 2);
   std::map<int, int> count;
   for (int i = 0; i < 200; ++i) {
-    sut->Begin(setting.graph, speeds_mps, rng);
-    world.Reset(StandingOn({0, 0}), Rng(1));
-    const auto decide_then_go = [&](int next) {
-      const auto arrival = world.NextArrival(1e9);
-      REQUIRE(arrival);
-      const int choice = sut->Decide(world, *arrival, rng);
-      world.Depart(arrival->robot, next);
-      return choice;
-    };
-    decide_then_go(1);  // t = 0: robot 0 …
-    decide_then_go(2);  // … and robot 1
-    decide_then_go(0);  // t = 1
-    decide_then_go(0);
-    ++count[decide_then_go(1)];  // t = 2: robot 0
+    team.StartFrom(StandingOn({0, 0}));
+    team.DecideThenGo(1);  // t = 0: robot 0 …
+    team.DecideThenGo(2);  // … and robot 1
+    team.DecideThenGo(0);  // t = 1
+    team.DecideThenGo(0);
+    ++count[team.DecideThenGo(1)];  // t = 2: robot 0
   }
 
   CHECK(count[1] == 0);
@@ -114,15 +97,12 @@ TEST_CASE("CR goes by the robot's own visits, blind to its teammate's") {
 TEST_CASE("CR prefers the neighbour that it left longest ago") {
   const Setting setting{Star(3)};
   const auto sut = setting.Make("cr");
-  PatrolWorld world(setting.graph, {.speeds_mps = {1.0}});
-  const std::vector<double> speeds_mps{1.0};
-  Rng rng = SplitSeed(2, 1);
-  sut->Begin(setting.graph, speeds_mps, rng);
-  world.Reset(StandingOn({0}), Rng(1));
+  PlayedTeam team(setting.graph, *sut, {1.0}, 2);
+  team.StartFrom(StandingOn({0}));
 
   std::vector<int> leaves;
   for (int i = 0; i < 12; ++i) {
-    const int next = DecideNext(world, *sut, rng);
+    const int next = team.DecideNext();
     if (next != 0) leaves.push_back(next);
   }
 
@@ -153,7 +133,7 @@ TEST_CASE("SEBS, ER and GEI score neighbours by idleness, length and what others
       arrival = world.NextArrival(2.0);
     }
     REQUIRE(arrival);
-    return sut->Decide(world, *arrival, rng);
+    return sut->Decide(CompleteBelief(world, arrival->robot), rng);
   };
 
   // Robot 1 heads to 3 (there at 9 s). Idleness 2 s everywhere.
@@ -192,7 +172,7 @@ TEST_CASE("Cyclic robots start evenly spaced, also on an edge, and visit every v
   const auto play = [&](double until_s) {
     while (const auto arrival = world.NextArrival(until_s)) {
       if (arrival->time_s > 130.0) CHECK(arrival->idleness_s == Approx(32.5));
-      world.Depart(arrival->robot, sut->Decide(world, *arrival, rng));
+      world.Depart(arrival->robot, sut->Decide(CompleteBelief(world, arrival->robot), rng));
     }
     world.AdvanceTo(until_s);
   };
@@ -211,11 +191,9 @@ TEST_CASE("Every name of the list makes a strategy that names a neighbour") {
   for (const std::string& name : AllStrategyNames()) {
     CAPTURE(name);
     const auto sut = setting.Make(name);
-    Rng rng = SplitSeed(8, 0);
-    PatrolWorld world(setting.graph, {.speeds_mps = speeds_mps, .travel_noise = 0.1});
-    world.Reset(sut->Begin(setting.graph, speeds_mps, rng), Rng(1));
-    for (int i = 0; i < 500; ++i) DecideNext(world, *sut, rng);  // Depart refuses anything else
-    CHECK(world.instantaneous_worst_idleness_s() < 500.0);
+    PlayedTeam team(setting.graph, *sut, speeds_mps, 8, 0.1);
+    for (int i = 0; i < 500; ++i) team.DecideNext();  // Depart refuses anything else
+    CHECK(team.world.instantaneous_worst_idleness_s() < 500.0);
   }
 }
 

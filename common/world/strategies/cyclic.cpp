@@ -1,5 +1,7 @@
 #include "common/world/strategies/cyclic.h"
 
+#include <algorithm>
+
 #include "common/base/check.h"
 
 namespace ronda {
@@ -31,12 +33,16 @@ std::vector<RobotStart> Cyclic::Begin(const PatrolGraph& graph, std::span<const 
   return starts;
 }
 
-int Cyclic::Decide(const PatrolWorld& /*world*/, const Arrival& arrival, Rng& /*rng*/) {
-  std::size_t& index = index_[arrival.robot];
-  RONDA_CHECK(walk_->vertices[index] == arrival.vertex, "robot {} is at {}, the walk at {}",
-              arrival.robot, arrival.vertex, walk_->vertices[index]);
+int Cyclic::Decide(const Belief& belief, Rng& /*rng*/) {
+  const auto& walk = walk_->vertices;
+  std::size_t& index = index_[belief.robot];
+  if (walk[index] != belief.vertex) {  // it has joined again, where it started
+    index = static_cast<std::size_t>(std::ranges::find(walk, belief.vertex) - walk.begin());
+    RONDA_CHECK(index < walk.size(), "robot {} is at {}, off the walk", belief.robot,
+                belief.vertex);
+  }
   index = After(index);
-  return walk_->vertices[index];
+  return walk[index];
 }
 
 }  // namespace ronda

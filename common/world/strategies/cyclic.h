@@ -16,7 +16,8 @@ class Cyclic final : public Strategy {
 
   std::vector<RobotStart> Begin(const PatrolGraph& graph, std::span<const double> speeds_mps,
                                 Rng& rng) override;
-  int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& rng) override;
+  Knowledge knowledge() const override { return {}; }
+  int Decide(const Belief& belief, Rng& rng) override;
 
  private:
   std::size_t After(std::size_t index) const {

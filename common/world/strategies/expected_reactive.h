@@ -10,7 +10,10 @@ namespace ronda {
 
 class ExpectedReactive final : public Strategy {
  public:
-  int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& rng) override;
+  Knowledge knowledge() const override {
+    return {.visits = Knowledge::Visits::kShared, .intentions = true};
+  }
+  int Decide(const Belief& belief, Rng& rng) override;
 };
 
 }  // namespace ronda

@@ -14,7 +14,10 @@ class GreedyExpectedIdleness final : public Strategy {
   /// `length_exponent` is p ≥ 0.
   explicit GreedyExpectedIdleness(double length_exponent) : length_exponent_(length_exponent) {}
 
-  int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& rng) override;
+  Knowledge knowledge() const override {
+    return {.visits = Knowledge::Visits::kShared, .intentions = true};
+  }
+  int Decide(const Belief& belief, Rng& rng) override;
 
  private:
   double length_exponent_;

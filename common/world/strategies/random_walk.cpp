@@ -4,8 +4,8 @@
 
 namespace ronda {
 
-int RandomWalk::Decide(const PatrolWorld& world, const Arrival& arrival, Rng& rng) {
-  const auto neighbours = world.graph().neighbours(arrival.vertex);
+int RandomWalk::Decide(const Belief& belief, Rng& rng) {
+  const auto neighbours = belief.graph->neighbours(belief.vertex);
   return neighbours[rng.Below(static_cast<std::uint32_t>(neighbours.size()))];
 }
 

@@ -7,7 +7,8 @@ namespace ronda {
 
 class RandomWalk final : public Strategy {
  public:
-  int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& rng) override;
+  Knowledge knowledge() const override { return {}; }
+  int Decide(const Belief& belief, Rng& rng) override;
 };
 
 }  // namespace ronda

@@ -7,17 +7,6 @@
 #include "common/world/strategies/random_argmax.h"
 
 namespace ronda {
-namespace {
-
-int TeammatesHeadingTo(const PatrolWorld& world, int vertex, int robot) {
-  int count = 0;
-  for (int other = 0; other < world.robot_count(); ++other) {
-    count += static_cast<int>(other != robot && world.target(other) == vertex);
-  }
-  return count;
-}
-
-}  // namespace
 
 double BayesianGainProbability(double idleness_s, double length_px) {
   constexpr double kLowest = 0.1;           // L
@@ -34,17 +23,17 @@ double StateExchangeFactor(int heading, int robots) {
   return std::exp2(-heading) / (1.0 - std::exp2(-robots));
 }
 
-int StateExchangeBayesian::Decide(const PatrolWorld& world, const Arrival& arrival, Rng& rng) {
-  const PatrolGraph& graph = world.graph();
-  const auto neighbours = graph.neighbours(arrival.vertex);
-  const auto lengths_m = graph.lengths_m(arrival.vertex);
+int StateExchangeBayesian::Decide(const Belief& belief, Rng& rng) {
+  const PatrolGraph& graph = *belief.graph;
+  const auto neighbours = graph.neighbours(belief.vertex);
+  const auto lengths_m = graph.lengths_m(belief.vertex);
   RandomArgmax choice(rng);
   for (std::size_t k = 0; k < neighbours.size(); ++k) {
-    const double idleness_s = world.idleness_s(neighbours[k]) * world.speed_mps(arrival.robot);
-    const int heading = TeammatesHeadingTo(world, neighbours[k], arrival.robot);
+    const double idleness_s =
+        belief.idleness_s(neighbours[k]) * belief.speeds_mps[belief.robot];  // at 1 m/s
     choice.Offer(neighbours[k],
                  BayesianGainProbability(idleness_s, lengths_m[k] / graph.metres_per_px()) *
-                     StateExchangeFactor(heading, world.robot_count()));
+                     StateExchangeFactor(belief.claims(neighbours[k]), belief.robot_count()));
   }
   return choice.best();
 }

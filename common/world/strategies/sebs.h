@@ -13,7 +13,10 @@ namespace ronda {
 
 class StateExchangeBayesian final : public Strategy {
  public:
-  int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& rng) override;
+  Knowledge knowledge() const override {
+    return {.visits = Knowledge::Visits::kShared, .intentions = true};
+  }
+  int Decide(const Belief& belief, Rng& rng) override;
 };
 
 /// P of GBS for one neighbour.

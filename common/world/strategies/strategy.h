@@ -5,13 +5,16 @@
 // team/policy_strategy. One object serves the whole team; it keeps what its robots know.
 // Thread-compatible: one object for each thread.
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "common/base/rng.h"
+#include "common/world/belief.h"
 #include "common/world/patrol_world.h"
 #include "common/world/shortest_paths.h"
+#include "common/world/team_beliefs.h"
 
 namespace ronda {
 
@@ -24,10 +27,27 @@ class Strategy {
   virtual std::vector<RobotStart> Begin(const PatrolGraph& graph,
                                         std::span<const double> speeds_mps, Rng& rng);
 
-  /// The neighbour of arrival.vertex to go to. Called for every arrival, in order; ties are broken
-  /// with `rng`.
-  virtual int Decide(const PatrolWorld& world, const Arrival& arrival, Rng& rng) = 0;
+  /// What its robots make use of; they get no more.
+  virtual Knowledge knowledge() const = 0;
+
+  /// The neighbour of belief.vertex to go to (or that vertex, where staying put is legal). Called
+  /// for every arrival, in order; ties are broken with `rng`.
+  virtual int Decide(const Belief& belief, Rng& rng) = 0;
+
+  /// `receiver` has heard what `sender` said when it decided last; only where an auction is known.
+  virtual void Hear(int /*receiver*/, int /*sender*/) {}
 };
+
+/// The next arrival at or before `until_s`, with its decision made and announced; nullopt when
+/// there is none.
+inline std::optional<Arrival> PlayNext(PatrolWorld& world, TeamBeliefs& beliefs, Strategy& strategy,
+                                       double until_s, Rng& rng) {
+  const auto arrival = world.NextArrival(until_s);
+  if (!arrival) return std::nullopt;
+  world.Depart(arrival->robot, strategy.Decide(beliefs.Arrived(world, *arrival), rng));
+  beliefs.Departed(world, arrival->robot);
+  return arrival;
+}
 
 /// What the classical strategies may need of a map, made once and shared.
 struct StrategyContext {
