@@ -67,7 +67,7 @@ def read_panels(rows):
     """(map, condition) → Panel; the maps of one condition stand together."""
     panels = {}
     for row in rows:
-        key = row["map"], row["condition"]
+        key = row["map"], row["conditions"]
         panel = panels.setdefault(key, Panel(*key))
         panel.cells[row["contestant"], int(row["agents"])] = row
     conditions = list(dict.fromkeys(condition for _, condition in panels))
@@ -80,7 +80,7 @@ def read_episodes(file, metric):
     with open(file, encoding="utf-8", newline="") as lines:
         for row in csv.DictReader(lines):
             cell = row["contestant"], int(row["agents"])
-            values[row["map"], row["condition"]][cell].append(float(row[f"{metric}_s"]))
+            values[row["map"], row["conditions"]][cell].append(float(row[f"{metric}_s"]))
     return values
 
 

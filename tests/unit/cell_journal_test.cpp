@@ -7,138 +7,87 @@
 #include "common/base/fingerprint.h"
 #include "common/base/whole_file.h"
 #include "tests/temporary_folder.h"
-#include "tests/unit/example_report.h"
 
 namespace ronda {
 namespace {
 
-using testing::ReportOf;
+const std::string kIdentity = R"({"seed":1,"agents":[2,4]})";
 
-const CellInputs kInputs{
-    .map_fingerprint = "map", .length = "euclidean", .policy_fingerprint = "policy"};
+/// Numbers that are no short decimals.
+const std::vector<EpisodeResult> kEpisodes{
+    {.agi_s = 1.0 / 3.0,
+     .wi_s = std::numeric_limits<double>::denorm_min(),
+     .final_s = 0.1 + 0.2,
+     .decisions = std::numeric_limits<std::int64_t>::max()},
+    {.agi_s = 1e-300, .wi_s = 1e300, .final_s = 0.0, .decisions = 0}};
 
-/// A result whose numbers are no short decimals.
-EvaluationReport AwkwardReport() {
-  EvaluationReport report = ReportOf({.name = "cr"}, {1.0 / 3.0, 1e-300});
-  report.options.seed = std::numeric_limits<std::uint64_t>::max();
-  report.result.t_ref_s = 0.1 + 0.2;
-  report.result.episodes[0].wi_s = std::numeric_limits<double>::denorm_min();
-  report.result.episodes[1].decisions = std::numeric_limits<std::int64_t>::max();
-  return report;
-}
-
-void CheckSame(const EvaluationResult& a, const EvaluationResult& b) {
-  CHECK(a.t_ref_s == b.t_ref_s);
-  CHECK(a.warmup_s == b.warmup_s);
-  CHECK(a.window_s == b.window_s);
-  CHECK(a.agi_s() == b.agi_s());
-  CHECK(a.wi_s() == b.wi_s());
-  CHECK(a.final_s() == b.final_s());
-  REQUIRE(a.episodes.size() == b.episodes.size());
-  CHECK(a.episodes.back().decisions == b.episodes.back().decisions);
-}
-
-TEST_CASE("A journal gives back each cell's result to the last bit, also when read again") {
-  const TemporaryFolder folder;
-  const EvaluationReport report = AwkwardReport();
-  const std::string key = CellKey(report, kInputs);
-  {
-    CellJournal sut(folder / "cells.jsonl");
-    CHECK_FALSE(sut.Find(key));
-    sut.Append(key, report.result);
-    REQUIRE(sut.Find(key));
+void CheckHolds(const CellJournal& sut, std::size_t cell) {
+  const auto found = sut.Find(cell);
+  REQUIRE(found);
+  REQUIRE(found->size() == kEpisodes.size());
+  for (std::size_t i = 0; i < kEpisodes.size(); ++i) {
+    CHECK((*found)[i].agi_s == kEpisodes[i].agi_s);
+    CHECK((*found)[i].wi_s == kEpisodes[i].wi_s);
+    CHECK((*found)[i].final_s == kEpisodes[i].final_s);
+    CHECK((*found)[i].decisions == kEpisodes[i].decisions);
   }
-  const CellJournal again(folder / "cells.jsonl");
-  REQUIRE(again.Find(key));
-  CheckSame(*again.Find(key), report.result);
 }
 
-TEST_CASE("A line that was torn is no cell, and the next is appended whole") {
+TEST_CASE("A journal gives back each cell's episodes to the last bit, also when read again") {
+  const TemporaryFolder folder;
+  {
+    CellJournal sut(folder / "cells.jsonl", kIdentity);
+    CHECK_FALSE(sut.Find(3));
+    sut.Append(3, kEpisodes);
+    CheckHolds(sut, 3);
+  }
+  const CellJournal again(folder / "cells.jsonl", kIdentity);
+  CheckHolds(again, 3);
+  CHECK_FALSE(again.Find(2));
+}
+
+TEST_CASE(
+    "A journal that was torn anywhere is gone on with: whole lines count, the next is whole") {
   const TemporaryFolder folder;
   const auto file = folder / "cells.jsonl";
-  EvaluationReport report = AwkwardReport();
-  const std::string first = CellKey(report, kInputs);
-  CellJournal(file).Append(first, report.result);
+  CellJournal(file, kIdentity).Append(0, kEpisodes);
   const std::string whole = ReadWholeFile(file);
-  report.options.agents = 8;
-  const std::string second = CellKey(report, kInputs);
 
-  for (const std::size_t kept : {std::size_t{1}, whole.size() / 2, whole.size() - 2}) {
+  for (std::size_t kept = 0; kept <= whole.size(); ++kept) {
     CAPTURE(kept);
-    WriteWholeFile(file, whole + whole.substr(0, kept));
-    CHECK(CellJournal(file).Find(first));
     WriteWholeFile(file, whole.substr(0, kept));
-    CellJournal sut(file);
-    CHECK_FALSE(sut.Find(first));
-    sut.Append(second, report.result);
-    CHECK(CellJournal(file).Find(second));
+    {
+      CellJournal sut(file, kIdentity);
+      CHECK(sut.Find(0).has_value() ==
+            (kept + 1 >= whole.size()));  // the line's end may be missing
+      sut.Append(1, kEpisodes);
+    }
+    CheckHolds(CellJournal(file, kIdentity), 1);
   }
-  WriteWholeFile(file, whole.substr(0, whole.size() - 1));  // all but the line's end
-  CHECK(CellJournal(file).Find(first));
+}
+
+TEST_CASE("The journal of another comparison is refused with the key that differs") {
+  const TemporaryFolder folder;
+  const auto file = folder / "cells.jsonl";
+  CellJournal(file, kIdentity).Append(0, kEpisodes);
+  const std::string whole = ReadWholeFile(file);
+
+  CHECK_THROWS_AS(CellJournal(file, R"({"seed":2,"agents":[2,4]})"), UsageError);
+  CHECK_THROWS_WITH(CellJournal(file, R"({"seed":1,"agents":[4,2]})"),
+                    "--out must be a new folder, or that of the same comparison; in " +
+                        file.string() + " 'agents' was [2,4], got [4,2]");
+  CHECK(ReadWholeFile(file) == whole);
 }
 
 TEST_CASE("A journal's line that is JSON but no finished cell is refused by file and line") {
   const TemporaryFolder folder;
   const auto file = folder / "cells.jsonl";
-  const EvaluationReport report = AwkwardReport();
-  CellJournal(file).Append(CellKey(report, kInputs), report.result);
-  std::string missing = ReadWholeFile(file);
-  missing.erase(missing.rfind(",["), missing.rfind("]}") - missing.rfind(",["));  // an episode
-
-  for (const std::string& line : {std::string("{\"time_s\":1}"), std::string("[1]"), missing}) {
-    WriteWholeFile(file, "torn\n" + line + "\n");
-    CHECK_THROWS_WITH(CellJournal(file),
-                      Catch::StartsWith(file.string() + ":2: each line must be a finished cell"));
-    CHECK_THROWS_AS(CellJournal(file), InputError);
+  for (const std::string line : {R"({"time_s":1})", "[1]", R"({"cell":0,"episodes":[[1,2,3]]})"}) {
+    WriteWholeFile(file, kIdentity + "\ntorn\n" + line + "\n");
+    CHECK_THROWS_WITH(CellJournal(file, kIdentity),
+                      Catch::StartsWith(file.string() + ":3: each line must be a finished cell"));
+    CHECK_THROWS_AS(CellJournal(file, kIdentity), InputError);
   }
-}
-
-TEST_CASE("Results of another version of the program are not used") {
-  const TemporaryFolder folder;
-  const auto file = folder / "cells.jsonl";
-  const EvaluationReport report = AwkwardReport();
-  CellJournal(file).Append(CellKey(report, kInputs), report.result);
-  std::string text = ReadWholeFile(file);
-  const std::string version = "\"results_version\":";
-  text.insert(text.find(version) + version.size(), "9");
-  WriteWholeFile(file, text);
-
-  CHECK_FALSE(CellJournal(file).Find(CellKey(report, kInputs)));
-}
-
-TEST_CASE("A cell is another one where anything that determines it differs, but for names") {
-  const EvaluationReport strategy = ReportOf({.name = "cr"}, {1.0});
-  const EvaluationReport policy =
-      ReportOf({.kind = ContestantKind::kPolicy, .name = "runs/a"}, {1.0});
-  const auto changed = [&](auto change) {
-    EvaluationReport report = strategy;
-    change(report);
-    return CellKey(report, kInputs) != CellKey(strategy, kInputs);
-  };
-  CHECK(changed([](EvaluationReport& r) { r.contestant.name = "er"; }));
-  CHECK(changed([](EvaluationReport& r) { r.options.agents = 9; }));
-  CHECK(changed([](EvaluationReport& r) { r.options.travel_noise = 0.5; }));
-  CHECK(changed([](EvaluationReport& r) { r.options.speed_mps = 0.5; }));
-  CHECK(changed([](EvaluationReport& r) { r.options.episodes = 7; }));
-  CHECK(changed([](EvaluationReport& r) { r.options.seed = 10; }));
-  CHECK(changed([](EvaluationReport& r) { r.options.protocol = Protocol::kThesis; }));
-  CHECK_FALSE(changed([](EvaluationReport& r) { r.map = "the same file"; }));
-  CHECK_FALSE(changed([](EvaluationReport& r) { r.options.horizon_s = 7.0; }));  // steady
-  CHECK_FALSE(changed([](EvaluationReport& r) { r.options.threads = 7; }));
-
-  CellInputs other = kInputs;
-  other.policy_fingerprint = "retrained";
-  CHECK(CellKey(policy, other) != CellKey(policy, kInputs));
-  CHECK(CellKey(strategy, other) == CellKey(strategy, kInputs));
-  other = kInputs;
-  other.map_fingerprint = "edited";
-  CHECK(CellKey(strategy, other) != CellKey(strategy, kInputs));
-  other = kInputs;
-  other.length = "file";
-  CHECK(CellKey(strategy, other) != CellKey(strategy, kInputs));
-  EvaluationReport renamed = policy;
-  renamed.contestant.name = "runs/b";
-  CHECK(CellKey(renamed, kInputs) == CellKey(policy, kInputs));
 }
 
 TEST_CASE("A file's fingerprint is the CRC-32 of its bytes and their number") {

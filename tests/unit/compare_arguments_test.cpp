@@ -30,30 +30,36 @@ TEST_CASE("A list that is none is refused with option, rule and value") {
                           std::string(bad) + "'");
     CHECK_THROWS_AS(ParseWholeNumbers("--agents", {bad}, 1, 10'000), UsageError);
   }
-  for (const char* bad : {"", "-0.1", "nan", "inf", "0.1x", "1e999"}) {
-    CAPTURE(bad);
-    CHECK_THROWS_WITH(ParseNumbers("--noise", {bad}),
-                      "--noise must be finite numbers ≥ 0, got '" + std::string(bad) + "'");
-  }
   CHECK_THROWS_WITH(ParseTexts("--map", {"grid", ""}),
-                    "--map must be names with commas between them, got ''");
+                    "--map must be values with commas between them, got ''");
 }
 
-TEST_CASE("Conditions are the checked options under each noise, each once") {
+TEST_CASE("Conditions are the cross product of the lists, each once") {
   CompareArguments arguments;
-  arguments.noise = {"0", "0.25", "0.0"};
+  arguments.conditions = {{"noise", "none,0.25,0"}, {"fail", "1@5/2@6,none"}, {"stay", ""}};
   arguments.options.seed = 7;
 
   const auto sut = ConditionsOf(arguments);
 
-  REQUIRE(sut.size() == 2);
-  CHECK(sut[0].travel_noise == 0.0);
-  CHECK(sut[1].travel_noise == 0.25);
-  CHECK(sut[1].seed == 7);
-  CHECK(ConditionLabel(sut[0]).empty());
-  CHECK(ConditionLabel(sut[1]) == "noise 0.25");
-  arguments.options.episodes = 0;
-  CHECK_THROWS_AS(ConditionsOf(arguments), UsageError);
+  std::vector<std::string> labels;
+  for (const EvaluationOptions& each : sut) {
+    CHECK(each.seed == 7);
+    labels.push_back(Label(each.conditions));
+  }
+  CHECK(labels == std::vector<std::string>{"fail 1@5 s, fail 2@6 s", "",
+                                           "noise 0.25, fail 1@5 s, fail 2@6 s", "noise 0.25"});
+}
+
+TEST_CASE("A list of conditions with a bad or an empty value is refused by its name") {
+  CompareArguments arguments;
+  arguments.conditions = {{"noise", "0,x"}};
+  CHECK_THROWS_WITH(ConditionsOf(arguments), "noise: must be a number, got 'x'");
+  for (const char* bad : {"0,", ",0", "0,,1", ","}) {
+    CAPTURE(bad);
+    arguments.conditions = {{"message-loss", bad}};
+    CHECK_THROWS_WITH(ConditionsOf(arguments),
+                      "--message-loss must be values with commas between them, got ''");
+  }
 }
 
 TEST_CASE("Contestants are policies and then strategies, of which all stands for many, each once") {
@@ -69,13 +75,8 @@ TEST_CASE("Contestants are policies and then strategies, of which all stands for
   CHECK(sut[3] == Contestant{.name = AllStrategyNames().front()});
 }
 
-TEST_CASE("Nothing to compare, and ratios to classical strategies without any, are refused") {
-  CompareArguments arguments;
-  CHECK_THROWS_WITH(ContestantsOf(arguments), "nothing to compare: give --policy or --strategies");
-  arguments.policies = {"a"};
-  CHECK(ContestantsOf(arguments).size() == 1);
-  arguments.ratio_to = RatioTo::kBestClassical;
-  CHECK_THROWS_AS(ContestantsOf(arguments), UsageError);
+TEST_CASE("Nothing to compare is refused") {
+  CHECK_THROWS_WITH(ContestantsOf({}), "nothing to compare: give --policy or --strategies");
 }
 
 }  // namespace

@@ -346,7 +346,10 @@ TEST_CASE("Evaluations over one queue give what each gives alone, in any order, 
       evaluations.push_back(
           {.context = map->context(),
            .make_strategy = [map] { return MakeStrategy("random", map->context()); },
-           .options = {.episodes = agents + 1, .seed = 3, .agents = agents, .travel_noise = 0.1}});
+           .options = {.episodes = agents + 1,
+                       .seed = 3,
+                       .agents = agents,
+                       .conditions = {.travel_noise = 0.1}}});
     }
   }
 

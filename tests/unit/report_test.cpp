@@ -82,14 +82,14 @@ TEST_CASE("Comparison: the best classical strategy is that of the headline figur
   std::vector<EvaluationReport> reports{
       ReportOf({.kind = ContestantKind::kPolicy, .name = "net"}, {1.0, 1.0}),
       ReportOf({.name = "cr"}, {6.0, 8.0}), ReportOf({.name = "er"}, {3.0, 5.0})};
-  CHECK(BestClassical(reports) == 2u);
+  CHECK(BestClassical(reports) == &reports[2]);
 
   for (auto& report : reports) report.options.protocol = Protocol::kThesis;
   reports[1].result.episodes[0].final_s = 0.5;
   reports[1].result.episodes[1].final_s = 0.5;
-  CHECK(BestClassical(reports) == 1u);
+  CHECK(BestClassical(reports) == &reports[1]);
 
-  CHECK_FALSE(BestClassical(std::vector<EvaluationReport>{reports[0]}));
+  CHECK(BestClassical(std::span(reports).first(1)) == nullptr);
 }
 
 TEST_CASE("Comparison: the table pairs ratios by episode") {
