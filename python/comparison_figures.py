@@ -1,8 +1,8 @@
 """Pictures of a comparison, from results.csv and episodes.csv of `ronda compare --out`.
 
-AGI, AGI over its lower bound and WI against the number of robots, a heat map of ratios, and box
-plots over episodes, each as SVG and PNG beside the tables. Under the thesis protocol the final
-idleness takes the place of AGI.
+AGI and WI against the number of robots with their bounds, a heat map of ratios, and box plots over
+episodes, each as SVG and PNG beside the tables. Under the thesis protocol the final idleness takes
+the place of AGI.
 """
 
 import collections
@@ -22,11 +22,10 @@ COLOURS = ["#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17a2b8", "#8
            "#7f7f00", "#003f5c", "#00a676", "#a00040", "#5c5cff"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "p", "h", "*", "d", "8", "H"]
 TITLES = {"agi_s": "average graph idleness (s)", "wi_s": "worst idleness (s)",
-          "final_s": "final idleness (s)", "agi_to_lower_bound": "AGI to the lower bound"}
-SHORT = {"agi": "AGI", "wi": "WI", "final": "final idleness"}
+          "final_s": "final idleness (s)"}
+SHORT = {"agi": "AGI", "final": "final idleness"}
 LOG_FROM = 6.0  # greatest over least, from which an axis is logarithmic
 MOST_ANNOTATED = 80  # columns of a heat map
-GREATEST_RATIO = 3.0  # where an axis of ratios is cut: beyond, the others would lie on each other
 
 
 class Panel:
@@ -118,7 +117,7 @@ def save(figure, folder, name):
 def draw_contestants(axes, panel, style, column):
     """Each contestant's line with its interval; the handles, and all values that are drawn."""
     handles, seen = {}, []
-    ci95 = column[:-2] + "_ci95_s" if column.endswith("_s") else column + "_ci95"
+    ci95 = re.sub("_s$", "_ci95_s", column)
     for contestant in style.contestants:
         agents, means = zip(*panel.values(contestant, column))
         seen += means
@@ -152,11 +151,7 @@ def draw_lines(panels, style, column, folder):
         handles, seen = draw_contestants(axes, panel, style, column)
         bound_handles, bounds = draw_bound(axes, panel, style, column)
         handles.update(bound_handles)
-        if column.endswith("_s"):
-            set_log(axes.yaxis, seen + bounds)
-        else:
-            greatest = max(GREATEST_RATIO, 1.5 * min(seen))
-            axes.set_ylim(min(seen + [1.0]) - 0.03, min(1.03 * max(seen), greatest))
+        set_log(axes.yaxis, seen + bounds)
         axes.set_xticks(panel.agents() if len(panel.agents()) <= 12 else panel.agents()[::2])
         axes.set_title(panel.title, fontsize=10)
         axes.set_xlabel("number of robots")
@@ -237,7 +232,9 @@ def draw_boxes(panel, episodes, style, metric, folder):
         axes.invert_yaxis()
         bound = panel.cells[style.contestants[0], agents].get(f"lower_bound_{metric}_s")
         if bound:
-            axes.axvline(float(bound), color="black", linestyle="--", linewidth=1.0)
+            axes.axvline(float(bound), color="black", linestyle="--", linewidth=1.2,
+                         label="lower bound")
+            axes.legend(loc="lower right", fontsize=8)
         set_log(axes.xaxis, [value for some in values for value in some])
         axes.set_title(f"{agents} robot{'' if agents == 1 else 's'}", fontsize=10)
         axes.grid(alpha=0.25, axis="x", which="both", linewidth=0.5)
@@ -254,8 +251,7 @@ def draw_comparison(folder: pathlib.Path) -> list:
     panels, style = read_panels(rows), Style(rows)
     headline = "final" if rows[0]["protocol"] == "thesis" else "agi"
     episodes = read_episodes(folder / "episodes.csv", headline)
-    columns = (f"{headline}_s", "agi_to_lower_bound", "wi_s")
-    names = [draw_lines(panels, style, column, folder) for column in columns]
+    names = [draw_lines(panels, style, column, folder) for column in (f"{headline}_s", "wi_s")]
     names.append(draw_heat_map(panels, style, headline, folder))
     for key, panel in panels.items():
         names.append(draw_boxes(panel, episodes[key], style, headline, folder))
