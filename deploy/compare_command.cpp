@@ -64,6 +64,7 @@ void AddCompareCommand(CLI::App& app, std::stop_token stop) {
       "compare", "policies and strategies on maps, team sizes and conditions, in tables");
   AddCompareArguments(*command, *arguments);
   command->footer(
+      "Options of conditions take lists too: --noise none,0.1 --speed 1,1/0.5\n"
       "Examples:\n"
       "  ronda compare --map cumberland --agents 10 --strategies all\n"
       "  ronda compare --map cumberland,grid --agents 2..12:2 --noise 0,0.1 --strategies all \\\n"
