@@ -77,6 +77,7 @@ void AddBoundsCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("bounds", "how low AGI and WI can be at best, for any team on one map");
   AddTeamArguments(*command, *arguments);
+  AddConditionArguments(*command, *arguments);
   command->footer("Example:\n  ronda bounds --map cumberland --agents 10");
   command->callback([arguments] { RunBounds(*arguments); });
 }

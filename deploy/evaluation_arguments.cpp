@@ -31,6 +31,9 @@ void AddTeamArguments(CLI::App& command, EvaluationArguments& arguments) {
       ->required();
   command.add_option("--agents", arguments.options.agents, "number of robots, 1 … 10000")
       ->required();
+}
+
+void AddConditionArguments(CLI::App& command, EvaluationArguments& arguments) {
   for (const ConditionOption& condition : ConditionOptions()) {
     command.add_option(fmt::format("--{}", condition.name), arguments.conditions[condition.name],
                        condition.doc);
@@ -45,7 +48,7 @@ void AddTeamArguments(CLI::App& command, EvaluationArguments& arguments) {
 
 void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationOptions& options = arguments.options;
-  AddTeamArguments(command, arguments);
+  AddConditionArguments(command, arguments);
   // CLI11 reads "-1" into an unsigned number without complaint.
   const CLI::Validator not_negative(
       [](std::string& text) {

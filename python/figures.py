@@ -1,10 +1,11 @@
-"""Figures from what a run has written: a learning curve, and a map with traffic.
+"""Figures from what a run has written: a learning curve, a map with traffic, a comparison.
 
   python3 python/figures.py learning-curve RUN --out FILE.svg
   python3 python/figures.py traffic MAP.json TRACE.csv --out FILE.svg
+  python3 python/figures.py compare DIR
 
 Reads files only; never talks to a running cluster. The format follows from the name of the
-output (svg, png, pdf).
+output (svg, png, pdf); those of a comparison are written into its folder.
 """
 
 import argparse
@@ -13,10 +14,15 @@ import csv
 import json
 import pathlib
 
-import matplotlib
+try:
+    import matplotlib
+except ImportError:
+    raise SystemExit("figures need matplotlib (Debian: python3-matplotlib)") from None
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+
+import comparison_figures  # noqa: E402  (needs matplotlib)
 
 
 def draw_learning_curve(run: pathlib.Path, out: pathlib.Path) -> None:
@@ -100,7 +106,13 @@ def main() -> None:
     traffic.add_argument("trace", type=pathlib.Path)
     for command in (curve, traffic):
         command.add_argument("--out", type=pathlib.Path, required=True)
+    compare = commands.add_parser("compare")
+    compare.add_argument("folder", type=pathlib.Path)
     arguments = parser.parse_args()
+    if arguments.command == "compare":
+        for name in comparison_figures.draw_comparison(arguments.folder):
+            print(f"wrote {arguments.folder / name}.svg and .png")
+        return
     if arguments.command == "learning-curve":
         draw_learning_curve(arguments.run, arguments.out)
     else:

@@ -12,13 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json EstimateAsJson(const Estimate& estimate) {
-  Json json;
-  json["mean"] = estimate.mean;
-  json["ci95"] = estimate.ci95 ? Json(*estimate.ci95) : Json(nullptr);
-  return json;
-}
-
 template <class T>
 Json OrNull(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
@@ -72,6 +65,13 @@ std::string FormatProtocol(const EvaluationReport& report) {
 
 }  // namespace
 
+Json EstimateAsJson(const Estimate& estimate) {
+  Json json;
+  json["mean"] = estimate.mean;
+  json["ci95"] = estimate.ci95 ? Json(*estimate.ci95) : Json(nullptr);
+  return json;
+}
+
 Json TeamAsJsonValue(const std::string& map, const EvaluationOptions& options) {
   const std::vector<double>& speeds_mps = options.conditions.speeds_mps;
   Json json;
@@ -86,8 +86,7 @@ Json TeamAsJsonValue(const std::string& map, const EvaluationOptions& options) {
 Json ReportAsJsonValue(const EvaluationReport& report) {
   const EvaluationResult& result = report.result;
   Json json = TeamAsJsonValue(report.map, report.options);
-  json[report.contestant.kind == ContestantKind::kPolicy ? "policy" : "strategy"] =
-      report.contestant.name;
+  json[KindName(report.contestant.kind)] = report.contestant.name;
   json["seed"] = report.options.seed;
   json["protocol"] = ProtocolName(report.options.protocol);
   json["episodes"] = result.episodes.size();
@@ -114,6 +113,10 @@ std::optional<LowerBounds> BoundsOf(const StrategyContext& context,
 
 std::string ReportAsJson(const EvaluationReport& report) {
   return ReportAsJsonValue(report).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+const char* KindName(ContestantKind kind) {
+  return kind == ContestantKind::kPolicy ? "policy" : "strategy";
 }
 
 std::string FormatSeconds(double seconds) {
@@ -146,9 +149,8 @@ std::string FormatBoundsNote(const EvaluationReport& report) {
 
 std::string FormatReport(const EvaluationReport& report) {
   const EvaluationResult& result = report.result;
-  const bool policy = report.contestant.kind == ContestantKind::kPolicy;
   std::string text = FormatSetting(report);
-  text += fmt::format("{} {}, {} decisions\n\n", policy ? "policy" : "strategy",
+  text += fmt::format("{} {}, {} decisions\n\n", KindName(report.contestant.kind),
                       report.contestant.name, result.decisions());
   const auto bound = [&](double LowerBounds::*value_s) {
     return report.bounds

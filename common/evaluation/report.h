@@ -12,10 +12,13 @@ namespace ronda {
 
 enum class ContestantKind { kStrategy, kPolicy };
 
+const char* KindName(ContestantKind kind);  // strategy | policy
+
 /// Who is judged, as the user named it.
 struct Contestant {
   ContestantKind kind = ContestantKind::kStrategy;
   std::string name;
+  friend bool operator==(const Contestant&, const Contestant&) = default;
 };
 
 struct EvaluationReport {

@@ -10,6 +10,8 @@ namespace ronda {
 /// Map, number of robots, speeds and all other conditions.
 nlohmann::ordered_json TeamAsJsonValue(const std::string& map, const EvaluationOptions& options);
 
+nlohmann::ordered_json EstimateAsJson(const Estimate& estimate);
+
 nlohmann::ordered_json ReportAsJsonValue(const EvaluationReport& report);
 
 }  // namespace ronda
