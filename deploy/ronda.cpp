@@ -14,6 +14,7 @@
 #include "deploy/scale_command.h"
 #include "deploy/status_command.h"
 #include "deploy/stop_command.h"
+#include "deploy/strategies_command.h"
 #include "deploy/train_command.h"
 #include "deploy/watch_command.h"
 
@@ -42,6 +43,7 @@ int Body(int argc, char** argv, std::stop_token stop) {
   ronda::AddEvaluateCommand(app, stop);
   ronda::AddCompareCommand(app, stop);
   ronda::AddBoundsCommand(app);
+  ronda::AddStrategiesCommand(app);
   ronda::AddPolicyCommand(app);
   ronda::AddConfigCommand(app);
   try {
