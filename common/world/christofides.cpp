@@ -107,8 +107,8 @@ std::vector<Pair> GreedyMatching(const Metric& metric, std::vector<int> left) {
   while (!left.empty()) {
     const int place = left.back();
     left.pop_back();
-    const auto partner = std::ranges::min_element(
-        left, {}, [&](int other) { return metric.Length(place, other); });
+    const auto partner =
+        std::ranges::min_element(left, {}, [&](int other) { return metric.Length(place, other); });
     pairs.emplace_back(place, *partner);
     left.erase(partner);
   }
