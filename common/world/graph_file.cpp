@@ -76,12 +76,11 @@ PatrolGraph ReadGraphFile(const fs::path& path, EdgeLengthSource length_source,
   }
 }
 
-PatrolGraph LoadMap(const std::string& name_or_path, const fs::path& maps_dir,
-                    EdgeLengthSource length_source, std::vector<std::string>* warnings) {
-  if (const auto options = ParseRandomMap(name_or_path)) return RandomGeometricGraph(*options);
+std::optional<fs::path> FindMapFile(const std::string& name_or_path, const fs::path& maps_dir) {
+  if (ParseRandomMap(name_or_path)) return std::nullopt;
   const fs::path path(name_or_path);
   if (path.has_parent_path() || path.extension() == ".graph" || path.extension() == ".json") {
-    return ReadGraphFile(path, length_source, warnings);
+    return path;
   }
   const std::vector<std::string> shipped = ShippedMaps(maps_dir);
   if (std::find(shipped.begin(), shipped.end(), name_or_path) == shipped.end()) {
@@ -90,7 +89,14 @@ PatrolGraph LoadMap(const std::string& name_or_path, const fs::path& maps_dir,
                     "in {} ({}), got '{}'",
                     maps_dir.string(), fmt::join(shipped, ", "), name_or_path));
   }
-  return ReadGraphFile(maps_dir / (name_or_path + ".json"), length_source, warnings);
+  return maps_dir / (name_or_path + ".json");
+}
+
+PatrolGraph LoadMap(const std::string& name_or_path, const fs::path& maps_dir,
+                    EdgeLengthSource length_source, std::vector<std::string>* warnings) {
+  const std::optional<fs::path> file = FindMapFile(name_or_path, maps_dir);
+  if (!file) return RandomGeometricGraph(*ParseRandomMap(name_or_path));
+  return ReadGraphFile(*file, length_source, warnings);
 }
 
 }  // namespace ronda

@@ -7,6 +7,7 @@
 // a parallel edge) is read, and one sentence for each is appended to `warnings`. Format facts:
 // docs/maps.md.
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,13 @@ std::vector<std::string> ShippedMaps(const std::filesystem::path& maps_dir);
 PatrolGraph ReadGraphFile(const std::filesystem::path& path, EdgeLengthSource length_source,
                           std::vector<std::string>* warnings);
 
-/// A map named on a command line: a path to a file, the name of a map that ships (`cumberland`), or
-/// `random:VERTICES:SEED`. `maps_dir` is where those that ship stand. Throws InputError that lists
-/// them when there is none.
+/// The file of a map named on a command line: a path to it, or the name of a map that ships
+/// (`cumberland`); nullopt for `random:VERTICES:SEED`, which has none. `maps_dir` is where those
+/// that ship stand. Throws InputError that lists them when there is no such map.
+std::optional<std::filesystem::path> FindMapFile(const std::string& name_or_path,
+                                                 const std::filesystem::path& maps_dir);
+
+/// ReadGraphFile of FindMapFile, or the random map.
 PatrolGraph LoadMap(const std::string& name_or_path, const std::filesystem::path& maps_dir,
                     EdgeLengthSource length_source, std::vector<std::string>* warnings);
 

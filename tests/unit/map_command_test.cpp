@@ -187,7 +187,15 @@ TEST_CASE("map random makes the map that its numbers say, and random:V:SEED is o
   CHECK_THAT(Ronda("map check " + other).output, Contains("mean 3\n") && Contains("mean 2 m"));
 }
 
-TEST_CASE("a random map can be evaluated and trained on by its name") {
+TEST_CASE("a random map can be named wherever a map is") {
+  const TemporaryFolder folder;
+  const std::string compare =
+      "compare --map random:9:4,random:9:5 --agents 2 --strategies cr,er "
+      "--episodes 2 --out " +
+      (folder / "out").string();
+  CHECK_THAT(Ronda(compare).output, Contains("random:9:4") && Contains("random:9:5"));
+  CHECK(Ronda(compare).status == 0);  // the same comparison again, which is done
+  CHECK_THAT(Ronda("bounds --map random:9:4 --agents 2").output, Contains("random:9:4"));
   CHECK_THAT(Ronda("evaluate --map random:9:4 --agents 2 --strategy cr --episodes 1").output,
              Contains("random:9:4"));
   CHECK_THAT(Ronda("train --map random:9:4 --agents 2 --print-config").output,
