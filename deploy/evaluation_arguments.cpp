@@ -24,11 +24,7 @@ void AddConditionArguments(CLI::App& command, EvaluationArguments& arguments) {
     command.add_option(fmt::format("--{}", condition.name), arguments.conditions[condition.name],
                        condition.doc);
   }
-  command
-      .add_option("--length", arguments.length,
-                  "edge lengths: euclidean, or file (the cost column of a .graph file)")
-      ->check(CLI::IsMember({"euclidean", "file"}))
-      ->capture_default_str();
+  AddLengthOption(command, arguments.length);
   command.add_option("--json", arguments.json_path, "write the result to this file");
 }
 

@@ -83,14 +83,6 @@ void AddList(CLI::App& parent) {
   command->callback([json_path] { List(*json_path); });
 }
 
-void AddLengthOption(CLI::App& command, std::string& length) {
-  command
-      .add_option("--length", length,
-                  "edge lengths: euclidean, or file (the cost column of a .graph file)")
-      ->check(CLI::IsMember({"euclidean", "file"}))
-      ->capture_default_str();
-}
-
 struct CheckArguments {
   std::string map;
   std::string length = "euclidean";

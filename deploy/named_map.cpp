@@ -2,12 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "common/run/paths.h"
 #include "common/world/graph_file.h"
 
 namespace ronda {
+
+void AddLengthOption(CLI::App& command, std::string& length) {
+  command
+      .add_option("--length", length,
+                  "edge lengths: euclidean, or file (the cost column of a .graph file)")
+      ->check(CLI::IsMember({"euclidean", "file"}))
+      ->capture_default_str();
+}
 
 PatrolGraph LoadNamedMap(const std::string& map, const std::string& length) {
   std::vector<std::string> warnings;
