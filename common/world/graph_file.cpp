@@ -56,15 +56,19 @@ EdgeLengthSource ParseEdgeLengthSource(const std::string& name) {
 
 PatrolGraph ReadGraphFile(const fs::path& path, EdgeLengthSource length_source,
                           std::vector<std::string>* warnings) {
+  return ParseGraphFile(ReadText(path), path, length_source, warnings);
+}
+
+PatrolGraph ParseGraphFile(std::string_view text, const fs::path& path,
+                           EdgeLengthSource length_source, std::vector<std::string>* warnings) {
   const std::string extension = path.extension().string();
   if (extension != ".graph" && extension != ".json") {
     throw InputError(fmt::format("{}: the name of a map file must end in .graph or .json, got '{}'",
                                  path.string(), extension));
   }
-  const std::string text = ReadText(path);
+  const auto parse = extension == ".graph" ? ParseDotGraph : ParseNodeLink;
   std::vector<std::string> found;
-  GraphData data = extension == ".graph" ? ParseDotGraph(text, path.string(), length_source, found)
-                                         : ParseNodeLink(text, path.string(), length_source, found);
+  GraphData data = parse(text, path.string(), length_source, found);
   if (data.name.empty()) data.name = path.stem().string();
   try {
     PatrolGraph graph(std::move(data));

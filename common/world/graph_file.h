@@ -8,6 +8,7 @@
 // docs/maps.md.
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/world/patrol_graph.h"
@@ -28,15 +29,21 @@ EdgeLengthSource ParseEdgeLengthSource(const std::string& name);
 PatrolGraph ReadGraphFile(const std::filesystem::path& path, EdgeLengthSource length_source,
                           std::vector<std::string>* warnings);
 
+/// The same of a file that holds `text`; nothing is opened.
+PatrolGraph ParseGraphFile(std::string_view text, const std::filesystem::path& path,
+                           EdgeLengthSource length_source, std::vector<std::string>* warnings);
+
 /// A map named on a command line: a path to a file, or the name of a map that ships (`cumberland`).
 /// `maps_dir` is where those stand. Throws InputError that lists the shipped names when there is
 /// none.
 PatrolGraph LoadMap(const std::string& name_or_path, const std::filesystem::path& maps_dir,
                     EdgeLengthSource length_source, std::vector<std::string>* warnings);
 
-/// Writes a map as node-link JSON that ReadGraphFile reads back to the same graph: one vertex and
-/// one edge a line, `length` only where it is not the distance between the ends. Throws InputError
-/// when the file cannot be written.
+/// A map as node-link JSON that ParseGraphFile reads back to the same graph: one vertex and one
+/// edge a line, `length` only where it is not the distance between the ends.
+std::string NodeLinkText(const PatrolGraph& graph);
+
+/// Writes that text. Throws InputError when the file cannot be written.
 void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path);
 
 }  // namespace ronda

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/world/shown_text.h"
 
 namespace ronda {
 namespace {
@@ -19,14 +20,11 @@ using Json = nlohmann::json;
 
 constexpr double kSamePoint_m = 1e-3;  // ends closer than this count as one point
 
-/// A value as an error shows it: short, and in printable ASCII.
 std::string Shown(const Json& value) {
-  constexpr std::size_t kMaxShown = 60;
   if (value.is_object() || value.is_array()) {
     return fmt::format("{} of {}", value.is_object() ? "an object" : "a list", value.size());
   }
-  const std::string shown = value.dump(-1, ' ', true);
-  return shown.size() > kMaxShown ? shown.substr(0, kMaxShown) + "…" : shown;
+  return ShownText(value.dump(-1, ' ', true), 60);
 }
 
 Json ParseJson(std::string_view text, const std::string& file) {
@@ -37,11 +35,11 @@ Json ParseJson(std::string_view text, const std::string& file) {
     const std::string_view before = text.substr(0, end);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-    const std::string what = error.what();
-    const std::size_t reason = what.rfind("; ");  // after the library's own place
-    throw InputError(
-        fmt::format("{}:{}:{}: the file must be JSON: {}", file, line, end - line_start + 1,
-                    reason == std::string::npos ? "syntax error" : what.substr(reason + 2)));
+    const std::string_view what = error.what();
+    const std::size_t reason = what.find(" - ");  // after the library's own place
+    throw InputError(fmt::format(
+        "{}:{}:{}: the file must be JSON: {}", file, line, end - line_start + 1,
+        reason == what.npos ? "syntax error" : ShownText(what.substr(reason + 3), 120)));
   } catch (const Json::exception&) {
     throw InputError(fmt::format("{}: the file must be JSON with numbers below 1.8e308", file));
   }

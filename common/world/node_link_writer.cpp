@@ -57,7 +57,7 @@ std::string Lines(const std::vector<std::string>& elements) {
 
 }  // namespace
 
-void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path) {
+std::string NodeLinkText(const PatrolGraph& graph) {
   const Json known = AttributesOf(graph);
   std::vector<std::string> attributes;
   for (const auto& [key, value] : known.items()) {
@@ -71,11 +71,15 @@ void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path) 
   std::vector<std::string> links;
   for (const Edge& edge : graph.edges()) links.push_back(LinkOf(graph, edge).dump());
 
-  std::ofstream file(path, std::ios::binary);
-  file << fmt::format(
+  return fmt::format(
       "{{\n  \"directed\": false,\n  \"multigraph\": false,\n  \"graph\": {{\n    {}\n  }},\n"
       "  \"nodes\": {},\n  \"links\": {}\n}}\n",
       fmt::join(attributes, ",\n    "), Lines(nodes), Lines(links));
+}
+
+void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path) {
+  std::ofstream file(path, std::ios::binary);
+  file << NodeLinkText(graph);
   file.flush();
   if (!file) throw InputError(fmt::format("{}: cannot be written", path.string()));
 }
