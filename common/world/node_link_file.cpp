@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t kMaxTextBytes = 200;
 constexpr double kSamePoint_m = 1e-3;  // ends closer than this count as one point
 
 std::string Shown(const Json& value) {
@@ -92,15 +94,31 @@ class NodeLinkParser {
     return value.get<double>();
   }
 
+  /// Of 0 to kMaxTextBytes, without control characters: it will stand in messages and tables.
+  static bool IsText(const Json& value) {
+    if (!value.is_string()) return false;
+    const auto& text = value.get_ref<const std::string&>();
+    const auto is_control = [](unsigned char c) { return std::iscntrl(c) != 0; };
+    return text.size() <= kMaxTextBytes && std::ranges::none_of(text, is_control);
+  }
+
   std::string Text(const Json& value, const std::string& element) const {
-    if (!value.is_string()) Fail(element, "must be a string", value);
+    if (!IsText(value)) {
+      Fail(element,
+           fmt::format("must be a string of up to {} bytes without control characters",
+                       kMaxTextBytes),
+           value);
+    }
     return value.get<std::string>();
   }
 
   std::string Id(const Json& value, const std::string& element) const {
     if (value.is_number_integer()) return value.dump();
-    if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
-      Fail(element, "must be an integer or a string that is not empty", value);
+    if (!IsText(value) || value.get_ref<const std::string&>().empty()) {
+      Fail(element,
+           fmt::format("must be an integer or a string of 1 to {} bytes without control characters",
+                       kMaxTextBytes),
+           value);
     }
     return value.get<std::string>();
   }
