@@ -17,7 +17,6 @@
 namespace ronda {
 namespace {
 
-constexpr double kSamePoint_m = 1e-3;  // ends closer than this count as one point
 constexpr int kMaxNeighbours = 1 << 20;
 
 std::string Shown(std::string_view token) { return "'" + ShownText(token, 40) + "'"; }

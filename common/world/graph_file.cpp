@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string ReadText(const fs::path& path) {
-  constexpr std::uintmax_t kMaxBytes = 64u << 20;
+  constexpr std::uintmax_t kMaxBytes = 16u << 20;  // JSON takes up to 80 times as much in memory
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
     throw InputError(fmt::format("{}: a map must be a file that can be read, got {}", path.string(),

@@ -15,6 +15,9 @@
 
 namespace ronda {
 
+/// Ends closer than this count as one point, and an edge between them is taken as this long.
+inline constexpr double kSamePoint_m = 1e-3;
+
 enum class EdgeLengthSource {
   kEuclidean,  // the distance between the ends (thesis §1.3); an explicit JSON `length` wins over
                // it
@@ -40,7 +43,7 @@ PatrolGraph LoadMap(const std::string& name_or_path, const std::filesystem::path
                     EdgeLengthSource length_source, std::vector<std::string>* warnings);
 
 /// A map as node-link JSON that ParseGraphFile reads back to the same graph: one vertex and one
-/// edge a line, `length` only where it is not the distance between the ends.
+/// edge a line, `length` only where it is not what the positions say.
 std::string NodeLinkText(const PatrolGraph& graph);
 
 /// Writes that text. Throws InputError when the file cannot be written.

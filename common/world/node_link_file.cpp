@@ -20,7 +20,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kMaxTextBytes = 200;
-constexpr double kSamePoint_m = 1e-3;  // ends closer than this count as one point
 
 std::string Shown(const Json& value) {
   if (value.is_object() || value.is_array()) {

@@ -44,7 +44,8 @@ Json LinkOf(const PatrolGraph& graph, const Edge& edge) {
   const Position& to = graph.positions()[edge.target];
   const double distance_m = std::hypot(from.x_m - to.x_m, from.y_m - to.y_m);
   constexpr double kRounding = 1e-12;  // relative
-  if (std::abs(edge.length_m - distance_m) > kRounding * edge.length_m) {
+  if (distance_m < kSamePoint_m ||
+      std::abs(edge.length_m - distance_m) > kRounding * edge.length_m) {
     link["length"] = edge.length_m;
   }
   return link;

@@ -242,6 +242,18 @@ TEST_CASE("a written map reads back to the same graph and the same text") {
         std::string(std::istreambuf_iterator<char>(second), {}));
 }
 
+TEST_CASE("an edge shorter than 1 mm keeps its length when it is written") {
+  GraphData data = testing::RandomGraphData(2, 0, 1);
+  data.positions = {{0.0, 0.0}, {0.0, 0.0005}};
+  data.edges[0].length_m = 0.0005;
+  const PatrolGraph graph(data);
+
+  const PatrolGraph sut =
+      ParseGraphFile(NodeLinkText(graph), "m.json", EdgeLengthSource::kEuclidean, nullptr);
+
+  CHECK(sut.edges()[0].length_m == 0.0005);
+}
+
 TEST_CASE("writing where nothing can be written is an error") {
   const PatrolGraph graph(testing::RandomGraphData(3, 0, 1));
   CHECK_THROWS_WITH(WriteNodeLink(graph, "/nonexistent/m.json"),
