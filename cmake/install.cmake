@@ -1,5 +1,5 @@
-# cmake --install: the programs; maps and policies; the libraries that load a policy and run it, with their headers;
-# and the package for find_package(ronda). A prefix may be moved. Programs find share/ronda beside their own folder
+# cmake --install: the programs; maps, policies and what draws figures; the libraries that load a policy and run it, with
+# their headers; and the package for find_package(ronda). A prefix may be moved. Programs find share/ronda beside their own folder
 # (common/run/paths).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -9,6 +9,8 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ronda)
 install(TARGETS ronda ronda-actor ronda-replay ronda-learner RUNTIME DESTINATION bin)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/maps DESTINATION ${data_dir})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/policies DESTINATION ${data_dir} OPTIONAL)
+install(FILES ${PROJECT_SOURCE_DIR}/python/figures.py ${PROJECT_SOURCE_DIR}/python/comparison_figures.py
+        DESTINATION ${data_dir}/python)
 
 foreach(library base world nn rl environments policies team)
   set_target_properties(ronda_${library} PROPERTIES EXPORT_NAME ${library})

@@ -1,94 +1,74 @@
 #include "deploy/compare_command.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <vector>
+#include <optional>
 
-#include "common/base/error.h"
-#include "common/evaluation/comparison.h"
-#include "deploy/evaluation_arguments.h"
+#include "common/evaluation/matrix_csv.h"
+#include "common/evaluation/matrix_json.h"
+#include "common/evaluation/matrix_markdown.h"
+#include "deploy/compare_arguments.h"
+#include "deploy/comparison_folder.h"
+#include "deploy/matrix_plan.h"
+#include "deploy/matrix_run.h"
+#include "deploy/matrix_text.h"
+#include "deploy/screen.h"
 
 namespace ronda {
 namespace {
 
-struct CompareArguments : EvaluationArguments {
-  std::vector<std::string> policies;
-  std::vector<std::string> strategies;
-};
-
-std::vector<Contestant> Contestants(const CompareArguments& arguments) {
-  std::vector<Contestant> contestants;
-  for (const std::string& name : arguments.policies) {
-    contestants.push_back({.kind = ContestantKind::kPolicy, .name = name});
-  }
-  for (const std::string& name : arguments.strategies) {
-    const auto names = name == "all" ? AllStrategyNames() : std::vector<std::string>{name};
-    for (const std::string& each : names) {
-      contestants.push_back({.kind = ContestantKind::kStrategy, .name = each});
-    }
-  }
-  if (contestants.empty()) throw UsageError("nothing to compare: give --policy or --strategies");
-  return contestants;
+MatrixLook Look() {
+  if (isatty(STDOUT_FILENO) == 0) return {};
+  return {.columns = Screen(false, STDOUT_FILENO).size().columns, .style = TerminalStyle()};
 }
 
-/// Thesis protocol: every report's ratio to the random walk, which is played if nobody else did.
-bool AddRatiosToRandom(std::vector<EvaluationReport>& reports, const EvaluationMap& map,
-                       const EvaluationOptions& options, const std::stop_token& stop) {
-  if (options.protocol != Protocol::kThesis) return true;
-  const auto random = EvaluateContestant({.name = "random"}, map.context(), options, nullptr, stop);
-  if (!random) return false;
-  for (EvaluationReport& report : reports) {
-    report.ratio_to_random = RatioToRandom(*random, report.result);
-  }
-  return true;
+std::string Format(const Matrix& matrix, OutputFormat format) {
+  if (format == OutputFormat::kCsv) return ResultsCsv(matrix);
+  if (format == OutputFormat::kJson) return MatrixAsJson(matrix) + "\n";
+  if (format == OutputFormat::kMarkdown) return MatrixAsMarkdown(matrix);
+  return matrix.size() == 1 ? FormatComparison(matrix.front()) : MatrixAsText(matrix, Look());
+}
+
+void SayStopped(const CompareArguments& arguments, std::size_t done, std::size_t cells) {
+  fmt::print(stderr, "ronda: stopped with {} of {} cells done; {}\n", done, cells,
+             arguments.folder.empty()
+                 ? "with --out DIR they would have been kept"
+                 : fmt::format("they are kept in {}: the same command goes on", arguments.folder));
 }
 
 void RunCompare(const CompareArguments& arguments, const std::stop_token& stop) {
-  const EvaluationOptions options = ResolveOptions(arguments);
-  const std::vector<Contestant> contestants = Contestants(arguments);
-  const EvaluationMap map(arguments, options.conditions);
-  for (const Contestant& contestant : contestants) MakeContestant(contestant, map.context());
+  const MatrixPlan plan = PlanMatrix(arguments);
   std::optional<OutputFile> json;
   if (!arguments.json_path.empty()) json.emplace(arguments.json_path);
-  const LowerBounds bounds = BoundsOf(map.graph(), options);
-  std::vector<EvaluationReport> reports;
-  for (const Contestant& contestant : contestants) {
-    auto result = EvaluateContestant(contestant, map.context(), options, nullptr, stop);
-    if (!result) return;
-    reports.push_back({.map = arguments.map,
-                       .contestant = contestant,
-                       .options = options,
-                       .result = *std::move(result),
-                       .bounds = bounds,
-                       .ratio_to_random = std::nullopt});
-  }
-  if (!AddRatiosToRandom(reports, map, options, stop)) return;
+  std::optional<ComparisonFolder> folder;
+  if (!arguments.folder.empty()) folder.emplace(arguments.folder, plan.identity);
+  const MatrixRun run = RunMatrix(plan, folder ? &folder->journal() : nullptr, stop);
+  if (!run.matrix) return SayStopped(arguments, run.cells_done, plan.cells());
   if (json) {
-    json->Write(ComparisonAsJson(reports) + "\n");
+    json->Write(MatrixAsJson(*run.matrix) + "\n");
     json->Commit();
   }
-  fmt::print("{}", FormatComparison(reports));
+  if (folder) folder->WriteResults(*run.matrix);
+  fmt::print("{}", Format(*run.matrix, arguments.format));
+  if (arguments.figures) folder->DrawFigures(stop);
 }
 
 }  // namespace
 
 void AddCompareCommand(CLI::App& app, std::stop_token stop) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command =
-      app.add_subcommand("compare", "policies and strategies on one map, in one table");
-  AddEvaluationArguments(*command, *arguments);
-  command
-      ->add_option("--policy", arguments->policies,
-                   "a run folder, a policy file or a shipped policy's name; may be repeated")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--strategies", arguments->strategies,
-                   "all, or a comma-separated list of " + StrategyNames())
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->footer("Example:\n  ronda compare --map cumberland --agents 10 --strategies all");
+  CLI::App* command = app.add_subcommand(
+      "compare", "policies and strategies on maps, team sizes and conditions, in tables");
+  AddCompareArguments(*command, *arguments);
+  command->footer(
+      "Options of conditions take lists too: --noise none,0.1 --speed 1,1/0.5\n"
+      "Examples:\n"
+      "  ronda compare --map cumberland --agents 10 --strategies all\n"
+      "  ronda compare --map cumberland,grid --agents 2..12:2 --noise 0,0.1 --strategies all \\\n"
+      "      --policy runs/first --out results --figures");
   command->callback([arguments, stop] { RunCompare(*arguments, stop); });
 }
 

@@ -41,7 +41,7 @@ void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop
                           .contestant = contestant,
                           .options = options,
                           .result = *std::move(result),
-                          .bounds = BoundsOf(map.graph(), options),
+                          .bounds = BoundsOf(map.context(), options),
                           .ratio_to_random = std::nullopt};
   if (options.protocol == Protocol::kThesis) {
     const auto random =
@@ -62,6 +62,7 @@ void RunEvaluate(const EvaluateArguments& arguments, const std::stop_token& stop
 void AddEvaluateCommand(CLI::App& app, std::stop_token stop) {
   auto arguments = std::make_shared<EvaluateArguments>();
   CLI::App* command = app.add_subcommand("evaluate", "judge one policy or strategy on one map");
+  AddTeamArguments(*command, *arguments);
   AddEvaluationArguments(*command, *arguments);
   auto* contestant = command->add_option_group("contestant");
   contestant->add_option("--policy", arguments->policy,

@@ -25,28 +25,15 @@ PatrolGraph LoadWithWarnings(const EvaluationArguments& arguments) {
 
 }  // namespace
 
-void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
-  EvaluationOptions& options = arguments.options;
-  // CLI11 reads "-1" into an unsigned number without complaint.
-  const CLI::Validator not_negative(
-      [](std::string& text) {
-        return text.starts_with('-') ? "must be 0 or more, got " + text : std::string();
-      },
-      "");
+void AddTeamArguments(CLI::App& command, EvaluationArguments& arguments) {
   command
       .add_option("--map", arguments.map, "a map file (.graph or .json), or a shipped map's name")
       ->required();
-  command.add_option("--agents", options.agents, "number of robots, 1 … 10000")->required();
-  command.add_option("--protocol", arguments.protocol, "steady or thesis")
-      ->check(CLI::IsMember({"steady", "thesis"}))
-      ->capture_default_str();
-  command.add_option("--horizon", arguments.horizon_s,
-                     "thesis protocol: seconds from zero idleness to the end (default 600)");
-  command.add_option("--episodes", options.episodes, "how many episodes, 1 … 1000000")
-      ->capture_default_str();
-  command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
-      ->check(not_negative)
-      ->capture_default_str();
+  command.add_option("--agents", arguments.options.agents, "number of robots, 1 … 10000")
+      ->required();
+}
+
+void AddConditionArguments(CLI::App& command, EvaluationArguments& arguments) {
   for (const ConditionOption& condition : ConditionOptions()) {
     command.add_option(fmt::format("--{}", condition.name), arguments.conditions[condition.name],
                        condition.doc);
@@ -57,6 +44,27 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
       ->check(CLI::IsMember({"euclidean", "file"}))
       ->capture_default_str();
   command.add_option("--json", arguments.json_path, "write the result to this file");
+}
+
+void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
+  EvaluationOptions& options = arguments.options;
+  AddConditionArguments(command, arguments);
+  // CLI11 reads "-1" into an unsigned number without complaint.
+  const CLI::Validator not_negative(
+      [](std::string& text) {
+        return text.starts_with('-') ? "must be 0 or more, got " + text : std::string();
+      },
+      "");
+  command.add_option("--protocol", arguments.protocol, "steady or thesis")
+      ->check(CLI::IsMember({"steady", "thesis"}))
+      ->capture_default_str();
+  command.add_option("--horizon", arguments.horizon_s,
+                     "thesis protocol: seconds from zero idleness to the end (default 600)");
+  command.add_option("--episodes", options.episodes, "how many episodes, 1 … 1000000")
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
+      ->check(not_negative)
+      ->capture_default_str();
 }
 
 EvaluationOptions ResolveOptions(const EvaluationArguments& arguments) {

@@ -29,7 +29,14 @@ struct EvaluationArguments {
   EvaluationOptions options;  // protocol, horizon and conditions are set by ResolveOptions
 };
 
-/// Adds the shared options to a subcommand; `arguments` must live as long as it.
+/// Each adds some options to a subcommand; `arguments` must live as long as it. One map and one
+/// number of robots:
+void AddTeamArguments(CLI::App& command, EvaluationArguments& arguments);
+
+/// Conditions, lengths and the JSON file:
+void AddConditionArguments(CLI::App& command, EvaluationArguments& arguments);
+
+/// Those of AddConditionArguments, and the protocol:
 void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments);
 
 /// The options that the arguments stand for, checked.

@@ -5,6 +5,7 @@
 #include "common/base/error.h"
 #include "common/nn/kernel.h"
 #include "common/run/process.h"
+#include "deploy/bounds_command.h"
 #include "deploy/compare_command.h"
 #include "deploy/config_command.h"
 #include "deploy/evaluate_command.h"
@@ -13,6 +14,7 @@
 #include "deploy/scale_command.h"
 #include "deploy/status_command.h"
 #include "deploy/stop_command.h"
+#include "deploy/strategies_command.h"
 #include "deploy/train_command.h"
 #include "deploy/watch_command.h"
 
@@ -40,6 +42,8 @@ int Body(int argc, char** argv, std::stop_token stop) {
   ronda::AddWatchCommand(app, stop);
   ronda::AddEvaluateCommand(app, stop);
   ronda::AddCompareCommand(app, stop);
+  ronda::AddBoundsCommand(app);
+  ronda::AddStrategiesCommand(app);
   ronda::AddPolicyCommand(app);
   ronda::AddConfigCommand(app);
   try {

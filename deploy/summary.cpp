@@ -45,8 +45,8 @@ std::string SummaryAsJson(const RunSummary& summary, const RunConfig& run) {
   if (summary.yardstick) classical = summary.yardstick->agi_s;
   json["best_classical_agi_s"] = EstimateAsJson(classical);
   json["best_classical"] = summary.yardstick ? Json(summary.yardstick->strategy) : Json(nullptr);
-  json["lower_bound_agi_s"] =
-      summary.yardstick ? Json(summary.yardstick->bounds.agi_s) : Json(nullptr);
+  const bool bounded = summary.yardstick && summary.yardstick->bounds;
+  json["lower_bound_agi_s"] = bounded ? Json(summary.yardstick->bounds->agi_s) : Json(nullptr);
   return json.dump(1) + "\n";
 }
 
@@ -71,9 +71,10 @@ std::string FormatSummary(const RunSummary& summary, const RunConfig& run,
     text += "AGI of the best policy: not judged\n";
   }
   if (summary.yardstick) {
-    text += fmt::format("best classical strategy: {}, {} s; lower bound {:.3f} s\n",
+    const auto& bounds = summary.yardstick->bounds;
+    text += fmt::format("best classical strategy: {}, {} s; lower bound {}\n",
                         summary.yardstick->strategy, FormatEstimate(summary.yardstick->agi_s),
-                        summary.yardstick->bounds.agi_s);
+                        bounds ? fmt::format("{:.3f} s", bounds->agi_s) : "none");
   }
   return text;
 }

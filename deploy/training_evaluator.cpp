@@ -90,7 +90,7 @@ void TrainingEvaluator::State::Run(std::stop_token stop) {
 void TrainingEvaluator::State::FindYardstick(std::stop_token stop) {
   const EvaluationOptions options = OptionsOf(config, kReportedEpisodes, kReportedSeed, 1);
   Yardstick found;
-  found.bounds = BoundsOf(*context.graph, options);
+  found.bounds = BoundsOf(context, options);
   for (const std::string& name : AllStrategyNames()) {
     const auto result = Evaluate(
         context, [&] { return MakeStrategy(name, context); }, options, nullptr, stop);

@@ -52,7 +52,7 @@ struct PolicyEvaluation {
 struct Yardstick {
   std::string strategy;
   Estimate agi_s;
-  LowerBounds bounds;
+  std::optional<LowerBounds> bounds;  // nullopt: as BoundsOf
 };
 
 class TrainingEvaluator {

@@ -287,7 +287,7 @@ RunStatus Session::Picture(const Cluster& cluster, Clock::time_point now) const 
   if (const auto yardstick = evaluator_.yardstick()) {
     picture.best_classical = yardstick->strategy;
     picture.best_classical_agi_s = yardstick->agi_s.mean;
-    picture.lower_bound_agi_s = yardstick->bounds.agi_s;
+    if (yardstick->bounds) picture.lower_bound_agi_s = yardstick->bounds->agi_s;
   }
   board_.Fill(cluster.Children(), now, picture);
   if (now - last_transition_ > kQuiet) {

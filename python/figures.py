@@ -1,10 +1,11 @@
-"""Figures from what a run has written: a learning curve, and a map with traffic.
+"""Figures from what a run has written: a learning curve, a map with traffic, a comparison.
 
   python3 python/figures.py learning-curve RUN --out FILE.svg
   python3 python/figures.py traffic MAP.json TRACE.csv --out FILE.svg
+  python3 python/figures.py compare DIR
 
 Reads files only; never talks to a running cluster. The format follows from the name of the
-output (svg, png, pdf).
+output (svg, png, pdf); those of a comparison are written into its folder.
 """
 
 import argparse
@@ -13,10 +14,15 @@ import csv
 import json
 import pathlib
 
-import matplotlib
+try:
+    import matplotlib
+except ImportError:
+    raise SystemExit("figures need matplotlib (Debian: python3-matplotlib)") from None
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+
+import comparison_figures  # noqa: E402  (needs matplotlib)
 
 
 def draw_learning_curve(run: pathlib.Path, out: pathlib.Path) -> None:
@@ -36,8 +42,9 @@ def draw_learning_curve(run: pathlib.Path, out: pathlib.Path) -> None:
     axes.axhline(best_classical, color="#b2561f", linestyle="--",
                  label=f"best classical: {summary['best_classical']}, {best_classical:.2f} s")
     bound = summary["lower_bound_agi_s"]
-    axes.axhline(bound, color="#555555", linestyle=":", label=f"lower bound, {bound:.2f} s")
-    axes.set_ylim(0.95 * bound, max(1.6 * best_classical, 1.05 * min(agi)))
+    if bound is not None:
+        axes.axhline(bound, color="#555555", linestyle=":", label=f"lower bound, {bound:.2f} s")
+    axes.set_ylim(0.95 * (bound or min(agi)), max(1.6 * best_classical, 1.05 * min(agi)))
     axes.set_xlabel("training time (s)")
     axes.set_ylabel("average graph idleness (s)")
     axes.set_title(f"{summary['map']}, {summary['agents']} robots")
@@ -99,7 +106,13 @@ def main() -> None:
     traffic.add_argument("trace", type=pathlib.Path)
     for command in (curve, traffic):
         command.add_argument("--out", type=pathlib.Path, required=True)
+    compare = commands.add_parser("compare")
+    compare.add_argument("folder", type=pathlib.Path)
     arguments = parser.parse_args()
+    if arguments.command == "compare":
+        for name in comparison_figures.draw_comparison(arguments.folder):
+            print(f"wrote {arguments.folder / name}.svg and .png")
+        return
     if arguments.command == "learning-curve":
         draw_learning_curve(arguments.run, arguments.out)
     else:

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "common/base/check.h"
-#include "common/evaluation/report_json.h"
 
 namespace ronda {
 namespace {
@@ -48,72 +46,74 @@ std::vector<double> Headline(const EvaluationReport& report) {
                                                       : report.result.agi_s();
 }
 
-Estimate RatioToBound(const Estimate& estimate, double bound) {
-  Estimate ratio{.mean = estimate.mean / bound, .ci95 = estimate.ci95};
-  if (ratio.ci95) *ratio.ci95 /= bound;
-  return ratio;
-}
-
 std::string FormatRatio(const Estimate& ratio) {
   if (!ratio.ci95) return fmt::format("{:.3f}", ratio.mean);
   return fmt::format("{:.3f} ± {:.3f}", ratio.mean, *ratio.ci95);
 }
 
+std::optional<Estimate> OverBound(const std::vector<double>& values_s, double bound_s) {
+  if (bound_s == 0.0) return std::nullopt;
+  return Over(MeanWithInterval(values_s), bound_s);
+}
+
 Row FormatRow(const EvaluationReport& report, const EvaluationReport* best) {
-  const Estimate agi_s = MeanWithInterval(report.result.agi_s());
+  const Ratios ratios = RatiosOf(report, best);
   const bool policy = report.contestant.kind == ContestantKind::kPolicy;
   return {report.contestant.name,
           policy ? "as trained" : StrategyKnowledge(report.contestant.name),
-          FormatEstimate(agi_s),
+          FormatEstimate(MeanWithInterval(report.result.agi_s())),
           FormatEstimate(MeanWithInterval(report.result.wi_s())),
           FormatEstimate(MeanWithInterval(report.result.final_s())),
-          best == nullptr ? "" : FormatRatio(PairedRatio(Headline(report), Headline(*best))),
-          FormatRatio(RatioToBound(agi_s, report.bounds.agi_s)),
+          ratios.to_best_classical ? FormatRatio(*ratios.to_best_classical) : "",
+          ratios.agi_to_bound ? FormatRatio(*ratios.agi_to_bound) : "",
           report.ratio_to_random ? fmt::format("{:.2f}", *report.ratio_to_random) : ""};
 }
 
 }  // namespace
 
-std::optional<std::size_t> BestClassical(std::span<const EvaluationReport> reports) {
-  std::optional<std::size_t> best;
+const EvaluationReport* BestClassical(std::span<const EvaluationReport> reports) {
+  const EvaluationReport* best = nullptr;
   double best_s = 0.0;
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    if (reports[i].contestant.kind != ContestantKind::kStrategy) continue;
-    const double mean_s = MeanWithInterval(Headline(reports[i])).mean;
-    if (!best || mean_s < best_s) {
-      best = i;
+  for (const EvaluationReport& report : reports) {
+    if (report.contestant.kind != ContestantKind::kStrategy) continue;
+    const double mean_s = MeanWithInterval(Headline(report)).mean;
+    if (best == nullptr || mean_s < best_s) {
+      best = &report;
       best_s = mean_s;
     }
   }
   return best;
 }
 
+Ratios RatiosOf(const EvaluationReport& report, const EvaluationReport* best) {
+  Ratios ratios;
+  if (best != nullptr) ratios.to_best_classical = PairedRatio(Headline(report), Headline(*best));
+  if (!report.bounds) return ratios;
+  ratios.agi_to_bound = OverBound(report.result.agi_s(), report.bounds->agi_s);
+  ratios.wi_to_bound = OverBound(report.result.wi_s(), report.bounds->wi_s);
+  return ratios;
+}
+
 std::string FormatComparison(std::span<const EvaluationReport> reports) {
   RONDA_CHECK(!reports.empty(), "a comparison of nothing");
   const EvaluationReport& first = reports.front();
-  const auto best_index = BestClassical(reports);
-  const EvaluationReport* best = best_index ? &reports[*best_index] : nullptr;
+  const EvaluationReport* best = BestClassical(reports);
   const bool thesis = first.options.protocol == Protocol::kThesis;
   std::vector<Row> rows;
   rows.push_back({"", "knows", "AGI (s)", "WI (s)", "final (s)",
-                  best == nullptr ? "" : "to best classical", "AGI to bound",
+                  best == nullptr ? "" : "to best classical", first.bounds ? "AGI to bound" : "",
                   thesis ? "random to it" : ""});
   for (const EvaluationReport& report : reports) rows.push_back(FormatRow(report, best));
-  rows.push_back({"lower bound", "", FormatSeconds(first.bounds.agi_s),
-                  FormatSeconds(first.bounds.wi_s), "", "", "", ""});
+  if (first.bounds) {
+    rows.push_back({"lower bound", "", FormatSeconds(first.bounds->agi_s),
+                    FormatSeconds(first.bounds->wi_s), "", "", "", ""});
+  }
   std::string text = FormatSetting(first) + "\n" + FormatTable(rows) + "\n";
   if (best != nullptr) {
     text += fmt::format("Best classical strategy by {}: {}; ratios to it are paired by episode.\n",
                         thesis ? "final idleness" : "AGI", best->contestant.name);
   }
-  text += "The bounds hold for unlimited time: a finite window may lie a little below them.\n";
-  return text;
-}
-
-std::string ComparisonAsJson(std::span<const EvaluationReport> reports) {
-  auto list = nlohmann::ordered_json::array();
-  for (const EvaluationReport& report : reports) list.push_back(ReportAsJsonValue(report));
-  return list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return text + FormatBoundsNote(first);
 }
 
 }  // namespace ronda

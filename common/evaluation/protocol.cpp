@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <exception>
 #include <mutex>
@@ -102,42 +101,116 @@ class EpisodePlayer {
   TeamBeliefs beliefs_;
 };
 
-/// Episodes dealt to threads one by one; the first exception of any ends all and is thrown on.
+/// One episode of one evaluation.
+struct EpisodeTicket {
+  std::size_t evaluation;
+  int episode;
+};
+
+/// The episodes of all evaluations, dealt to threads one by one, and what came of them. The first
+/// exception of any thread ends all and is thrown on. Thread-safe.
 class EpisodeQueue {
  public:
-  explicit EpisodeQueue(int episodes) : episodes_(episodes) {}
+  EpisodeQueue(std::span<const Evaluation> evaluations, const EvaluationListener& listener)
+      : evaluations_(evaluations), listener_(listener), open_(evaluations.size()) {}
 
   /// The next episode, or nullopt when there is none left.
-  std::optional<int> Take() {
-    const int episode = next_.fetch_add(1);
-    return episode < episodes_ ? std::optional(episode) : std::nullopt;
+  std::optional<EpisodeTicket> Take() {
+    const std::lock_guard lock(mutex_);
+    if (error_ || next_.evaluation == evaluations_.size()) return std::nullopt;
+    const EpisodeTicket ticket = next_;
+    const Evaluation& evaluation = evaluations_[ticket.evaluation];
+    if (ticket.episode == 0) {
+      Open& open = open_[ticket.evaluation];
+      open.result = ProtocolTimes(evaluation.context, evaluation.options);
+      open.result.episodes.resize(static_cast<std::size_t>(evaluation.options.episodes));
+      open.left = evaluation.options.episodes;
+    }
+    if (++next_.episode == evaluation.options.episodes) next_ = {ticket.evaluation + 1, 0};
+    return ticket;
+  }
+
+  void Add(const EpisodeTicket& ticket, const EpisodeResult& result) {
+    const std::lock_guard lock(mutex_);
+    Open& open = open_[ticket.evaluation];
+    open.result.episodes[static_cast<std::size_t>(ticket.episode)] = result;
+    if (listener_.on_episode) listener_.on_episode(ticket.evaluation, result);
+    if (--open.left > 0) return;
+    ++finished_;
+    listener_.on_result(ticket.evaluation, std::exchange(open.result, {}));
   }
 
   void Fail(std::exception_ptr error) {
     const std::lock_guard lock(mutex_);
     if (!error_) error_ = std::move(error);
-    next_ = episodes_;
   }
 
-  void ThrowOnFailure() const {
+  /// When no thread works any more: whether all evaluations have their result.
+  bool Finished() const {
     if (error_) std::rethrow_exception(error_);
+    return finished_ == evaluations_.size();
   }
 
  private:
-  const int episodes_;
-  std::atomic<int> next_ = 0;
+  struct Open {
+    EvaluationResult result;
+    int left = 0;  // episodes
+  };
+
+  std::span<const Evaluation> evaluations_;
+  const EvaluationListener& listener_;
   std::mutex mutex_;
+  EpisodeTicket next_{0, 0};
+  std::vector<Open> open_;  // (evaluations)
+  std::size_t finished_ = 0;
   std::exception_ptr error_;
 };
 
-EvaluationResult ProtocolTimes(const StrategyContext& context, const EvaluationOptions& options) {
-  EvaluationResult times;
-  times.t_ref_s =
-      context.closed_walk->length_m / TotalSpeed_mps(options.conditions, options.agents);
-  const bool steady = options.protocol == Protocol::kSteady;
-  times.warmup_s = steady ? kWarmupTref * times.t_ref_s : 0.0;
-  times.window_s = steady ? kWindowTref * times.t_ref_s : options.horizon_s;
-  return times;
+/// One thread's work: plays what the queue deals until there is nothing left.
+void PlayFrom(EpisodeQueue& queue, std::span<const Evaluation> evaluations, TraceWriter* trace,
+              const std::stop_token& stop) {
+  try {
+    std::optional<EpisodePlayer> player;
+    std::size_t of = evaluations.size();  // whose player it is
+    while (const auto ticket = queue.Take()) {
+      if (ticket->evaluation != of) {
+        of = ticket->evaluation;
+        const Evaluation& evaluation = evaluations[of];
+        player.emplace(evaluation.context, evaluation.make_strategy, evaluation.options,
+                       ProtocolTimes(evaluation.context, evaluation.options));
+      }
+      const auto result = player->Play(ticket->episode, trace, stop);
+      if (!result) return;
+      queue.Add(*ticket, *result);
+    }
+  } catch (...) {
+    queue.Fail(std::current_exception());
+  }
+}
+
+/// A trace is of one evaluation, on one thread.
+bool PlayAll(std::span<const Evaluation> evaluations, int threads,
+             const EvaluationListener& listener, TraceWriter* trace, const std::stop_token& stop) {
+  std::int64_t episodes = 0;
+  for (const Evaluation& evaluation : evaluations) {
+    CheckOptions(evaluation.options);
+    episodes += evaluation.options.episodes;
+  }
+  if (trace != nullptr) {
+    const auto times = ProtocolTimes(evaluations[0].context, evaluations[0].options);
+    trace->Begin(times.warmup_s, times.window_s);
+  }
+  EpisodeQueue queue(evaluations, listener);
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const std::int64_t wanted = std::min<std::int64_t>(threads > 0 ? threads : cores, episodes);
+  {
+    std::vector<std::jthread> helpers;
+    for (std::int64_t i = 1; i < wanted; ++i) {
+      helpers.emplace_back([&] { PlayFrom(queue, evaluations, trace, stop); });
+    }
+    PlayFrom(queue, evaluations, trace, stop);
+  }
+  return queue.Finished();
 }
 
 template <typename Field>
@@ -179,38 +252,31 @@ void CheckOptions(const EvaluationOptions& options) {
   CheckConditions(options.conditions, options.agents);
 }
 
+EvaluationResult ProtocolTimes(const StrategyContext& context, const EvaluationOptions& options) {
+  EvaluationResult times;
+  times.t_ref_s =
+      context.closed_walk->length_m / TotalSpeed_mps(options.conditions, options.agents);
+  const bool steady = options.protocol == Protocol::kSteady;
+  times.warmup_s = steady ? kWarmupTref * times.t_ref_s : 0.0;
+  times.window_s = steady ? kWindowTref * times.t_ref_s : options.horizon_s;
+  return times;
+}
+
+bool EvaluateAll(std::span<const Evaluation> evaluations, int threads,
+                 const EvaluationListener& listener, std::stop_token stop) {
+  return PlayAll(evaluations, threads, listener, nullptr, stop);
+}
+
 std::optional<EvaluationResult> Evaluate(const StrategyContext& context,
                                          const StrategyFactory& make_strategy,
                                          const EvaluationOptions& options, TraceWriter* trace,
                                          std::stop_token stop) {
-  CheckOptions(options);
-  EvaluationResult result = ProtocolTimes(context, options);
-  if (trace != nullptr) trace->Begin(result.warmup_s, result.window_s);
-  std::vector<std::optional<EpisodeResult>> episodes(static_cast<std::size_t>(options.episodes));
-  EpisodeQueue queue(options.episodes);
-  const auto work = [&] {
-    try {
-      EpisodePlayer player(context, make_strategy, options, result);
-      while (const auto episode = queue.Take()) {
-        episodes[*episode] = player.Play(*episode, trace, stop);
-      }
-    } catch (...) {
-      queue.Fail(std::current_exception());
-    }
-  };
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const int wanted = options.threads > 0 ? options.threads : cores;
-  {
-    std::vector<std::jthread> helpers;
-    const int threads = trace != nullptr ? 1 : std::min(wanted, options.episodes);
-    for (int i = 1; i < threads; ++i) helpers.emplace_back(work);
-    work();
-  }
-  queue.ThrowOnFailure();
-  for (const auto& episode : episodes) {
-    if (!episode) return std::nullopt;
-    result.episodes.push_back(*episode);
-  }
+  const Evaluation evaluation{context, make_strategy, options};
+  std::optional<EvaluationResult> result;
+  const EvaluationListener listener{
+      .on_episode = nullptr,
+      .on_result = [&](std::size_t, EvaluationResult whole) { result = std::move(whole); }};
+  PlayAll({&evaluation, 1}, trace != nullptr ? 1 : options.threads, listener, trace, stop);
   return result;
 }
 

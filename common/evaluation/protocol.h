@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string_view>
 #include <vector>
@@ -64,6 +65,29 @@ using StrategyFactory = std::function<std::unique_ptr<Strategy>()>;
 
 /// Throws UsageError that names option, rule and value where an option is out of its range.
 void CheckOptions(const EvaluationOptions& options);
+
+/// One strategy under one set of options.
+struct Evaluation {
+  StrategyContext context;
+  StrategyFactory make_strategy;
+  EvaluationOptions options;
+};
+
+/// What EvaluateAll tells while it works. Called from its threads, one call at a time.
+struct EvaluationListener {
+  std::function<void(std::size_t evaluation, const EpisodeResult&)> on_episode;
+  std::function<void(std::size_t evaluation, EvaluationResult)> on_result;
+};
+
+/// When the protocol measures, in a result without episodes.
+EvaluationResult ProtocolTimes(const StrategyContext& context, const EvaluationOptions& options);
+
+/// Plays the episodes of all evaluations over one queue, in order, so that no core waits for the
+/// last episode of one while another has some left. `threads` 0: one for each core. False when
+/// `stop` was requested before the end: what was reported until then is whole. Throws as
+/// CheckOptions, and what a strategy or the listener throws.
+bool EvaluateAll(std::span<const Evaluation> evaluations, int threads,
+                 const EvaluationListener& listener, std::stop_token stop = {});
 
 /// Plays all episodes; `trace` may be null. nullopt when `stop` was requested before the end.
 /// Throws as CheckOptions, and what the strategy throws.

@@ -12,13 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json EstimateAsJson(const Estimate& estimate) {
-  Json json;
-  json["mean"] = estimate.mean;
-  json["ci95"] = estimate.ci95 ? Json(*estimate.ci95) : Json(nullptr);
-  return json;
-}
-
 template <class T>
 Json OrNull(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
@@ -72,17 +65,28 @@ std::string FormatProtocol(const EvaluationReport& report) {
 
 }  // namespace
 
+Json EstimateAsJson(const Estimate& estimate) {
+  Json json;
+  json["mean"] = estimate.mean;
+  json["ci95"] = estimate.ci95 ? Json(*estimate.ci95) : Json(nullptr);
+  return json;
+}
+
+Json TeamAsJsonValue(const std::string& map, const EvaluationOptions& options) {
+  const std::vector<double>& speeds_mps = options.conditions.speeds_mps;
+  Json json;
+  json["map"] = map;
+  json["agents"] = options.agents;
+  json["speed_mps"] = speeds_mps.size() == 1 ? Json(speeds_mps.front()) : Json(speeds_mps);
+  json["noise"] = options.conditions.travel_noise;
+  json["conditions"] = ConditionsAsJson(options.conditions);
+  return json;
+}
+
 Json ReportAsJsonValue(const EvaluationReport& report) {
   const EvaluationResult& result = report.result;
-  Json json;
-  json["map"] = report.map;
-  json["agents"] = report.options.agents;
-  json[report.contestant.kind == ContestantKind::kPolicy ? "policy" : "strategy"] =
-      report.contestant.name;
-  const std::vector<double>& speeds_mps = report.options.conditions.speeds_mps;
-  json["speed_mps"] = speeds_mps.size() == 1 ? Json(speeds_mps.front()) : Json(speeds_mps);
-  json["noise"] = report.options.conditions.travel_noise;
-  json["conditions"] = ConditionsAsJson(report.options.conditions);
+  Json json = TeamAsJsonValue(report.map, report.options);
+  json[KindName(report.contestant.kind)] = report.contestant.name;
   json["seed"] = report.options.seed;
   json["protocol"] = ProtocolName(report.options.protocol);
   json["episodes"] = result.episodes.size();
@@ -94,18 +98,25 @@ Json ReportAsJsonValue(const EvaluationReport& report) {
   json["wi_s"] = EstimateAsJson(MeanWithInterval(result.wi_s()));
   json["final_s"] = EstimateAsJson(MeanWithInterval(result.final_s()));
   if (report.ratio_to_random) json["ratio_to_random"] = *report.ratio_to_random;
-  json["lower_bound_agi_s"] = report.bounds.agi_s;
-  json["lower_bound_wi_s"] = report.bounds.wi_s;
+  json["lower_bound_agi_s"] = report.bounds ? Json(report.bounds->agi_s) : Json(nullptr);
+  json["lower_bound_wi_s"] = report.bounds ? Json(report.bounds->wi_s) : Json(nullptr);
   return json;
 }
 
-LowerBounds BoundsOf(const PatrolGraph& graph, const EvaluationOptions& options) {
-  return ComputeLowerBounds(graph, TotalSpeed_mps(options.conditions, options.agents),
-                            options.agents);
+std::optional<LowerBounds> BoundsOf(const StrategyContext& context,
+                                    const EvaluationOptions& options) {
+  if (options.conditions.attrition.repair_s) return std::nullopt;
+  return ComputeLowerBounds(*context.graph, *context.paths,
+                            {.speeds_mps = SpeedsOf(options.conditions, options.agents),
+                             .staying = options.conditions.stay_s > 0.0});
 }
 
 std::string ReportAsJson(const EvaluationReport& report) {
   return ReportAsJsonValue(report).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+const char* KindName(ContestantKind kind) {
+  return kind == ContestantKind::kPolicy ? "policy" : "strategy";
 }
 
 std::string FormatSeconds(double seconds) {
@@ -118,34 +129,45 @@ std::string FormatEstimate(const Estimate& estimate) {
                      estimate.mean < 1.0 ? 4 : 2);
 }
 
+std::string FormatTeam(const std::string& map, const EvaluationOptions& options) {
+  return fmt::format("{}, {} robot{} {}", map, options.agents, options.agents == 1 ? "" : "s",
+                     FormatConditions(options.conditions));
+}
+
 std::string FormatSetting(const EvaluationReport& report) {
-  return fmt::format(
-      "{}, {} robot{} {}\n{}\n{} episode{}, seed {}; mean ± 95 % interval over episodes\n",
-      report.map, report.options.agents, report.options.agents == 1 ? "" : "s",
-      FormatConditions(report.options.conditions), FormatProtocol(report), report.options.episodes,
-      report.options.episodes == 1 ? "" : "s", report.options.seed);
+  return fmt::format("{}\n{}\n{} episode{}, seed {}; mean ± 95 % interval over episodes\n",
+                     FormatTeam(report.map, report.options), FormatProtocol(report),
+                     report.options.episodes, report.options.episodes == 1 ? "" : "s",
+                     report.options.seed);
+}
+
+std::string FormatBoundsNote(const EvaluationReport& report) {
+  return report.bounds
+             ? "The bounds hold for unlimited time: a window may lie below them, a short one far.\n"
+             : "No bound is known where robots are repaired.\n";
 }
 
 std::string FormatReport(const EvaluationReport& report) {
   const EvaluationResult& result = report.result;
-  const bool policy = report.contestant.kind == ContestantKind::kPolicy;
   std::string text = FormatSetting(report);
-  text += fmt::format("{} {}, {} decisions\n\n", policy ? "policy" : "strategy",
+  text += fmt::format("{} {}, {} decisions\n\n", KindName(report.contestant.kind),
                       report.contestant.name, result.decisions());
-  text += fmt::format("  average graph idleness  {:>20} s   lower bound {} s\n",
-                      FormatEstimate(MeanWithInterval(result.agi_s())),
-                      FormatSeconds(report.bounds.agi_s));
-  text += fmt::format("  worst idleness          {:>20} s   lower bound {} s\n",
-                      FormatEstimate(MeanWithInterval(result.wi_s())),
-                      FormatSeconds(report.bounds.wi_s));
+  const auto bound = [&](double LowerBounds::*value_s) {
+    return report.bounds
+               ? fmt::format("   lower bound {} s", FormatSeconds(*report.bounds.*value_s))
+               : "";
+  };
+  text += fmt::format("  average graph idleness  {:>20} s{}\n",
+                      FormatEstimate(MeanWithInterval(result.agi_s())), bound(&LowerBounds::agi_s));
+  text += fmt::format("  worst idleness          {:>20} s{}\n",
+                      FormatEstimate(MeanWithInterval(result.wi_s())), bound(&LowerBounds::wi_s));
   text += fmt::format("  final idleness          {:>20} s\n",
                       FormatEstimate(MeanWithInterval(result.final_s())));
   if (report.ratio_to_random) {
     text += fmt::format("  random walk's final idleness over this one's: {:.2f}\n",
                         *report.ratio_to_random);
   }
-  text += "\nThe bounds hold for unlimited time: a finite window may lie a little below them.\n";
-  return text;
+  return text + "\n" + FormatBoundsNote(report);
 }
 
 }  // namespace ronda

@@ -29,6 +29,12 @@ Estimate MeanWithInterval(std::span<const double> values) {
   return {.mean = mean, .ci95 = quantile * standard_error};
 }
 
+Estimate Over(const Estimate& estimate, double divisor) {
+  Estimate quotient{.mean = estimate.mean / divisor, .ci95 = estimate.ci95};
+  if (quotient.ci95) *quotient.ci95 /= divisor;
+  return quotient;
+}
+
 Estimate PairedRatio(std::span<const double> numerators, std::span<const double> denominators) {
   RONDA_CHECK(numerators.size() == denominators.size(), "{} numerators, {} denominators",
               numerators.size(), denominators.size());

@@ -16,6 +16,9 @@ struct Estimate {
 /// Of independent values, at least one.
 Estimate MeanWithInterval(std::span<const double> values);
 
+/// The estimate of a value divided by what is known exactly.
+Estimate Over(const Estimate& estimate, double divisor);
+
 /// Mean numerator over mean denominator, of values paired by episode; the interval is that of the
 /// linearised ratio (Cochran 1977, §6.4), so what the pairs share cancels.
 Estimate PairedRatio(std::span<const double> numerators, std::span<const double> denominators);

@@ -5,21 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/evaluation/csv_field.h"
+
 namespace ronda {
-namespace {
-
-/// A field of CSV (RFC 4180): in quotes where it contains a separator, a quote or a line end.
-std::string CsvField(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) {
-    if (c == '"') field += '"';
-    field += c;
-  }
-  return field + '"';
-}
-
-}  // namespace
 
 TraceWriter::TraceWriter(const std::filesystem::path& path, const PatrolGraph& graph,
                          std::string map)

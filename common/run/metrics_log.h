@@ -1,17 +1,15 @@
 #pragma once
 // Metrics as JSON lines, append-only: {"time_s":1.5,"process":"learner","loss":0.1}.
 //
-// Each line is one write to a file opened for appending, so several processes of one machine may
-// share it. A line that an earlier crash cut short is ended first, so it spoils no other. A value
-// that is not finite is written as null. Errors: InputError with path and reason.
-// Thread-compatible.
+// Appended as appended_lines.h says; errors as there. A value that is not finite is written as
+// null. Thread-compatible.
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "common/base/file_descriptor.h"
+#include "common/run/appended_lines.h"
 
 namespace ronda {
 
@@ -28,9 +26,8 @@ class MetricsLog {
   void Append(double time_s, const std::vector<Metric>& metrics);
 
  private:
-  std::filesystem::path path_;
   std::string process_name_;
-  FileDescriptor file_;
+  AppendedLines lines_;
 };
 
 }  // namespace ronda

@@ -1,11 +1,7 @@
 #pragma once
 // A run's folder: runs/NAME/{config.toml, logs/, checkpoints/, metrics.jsonl, summary.json}.
 //
-// Held by one launcher at a time, by an open-file-description lock (fcntl) on the file `lock`: the
-// system drops it when the process ends, whatever ends it, children do not inherit it, and looking
-// at it disturbs nobody. Errors: Error(kRunFolderInUse) that
-// names the holder's process id; InputError with the reason where the folder cannot be made or
-// written. Thread-compatible.
+// Held by one launcher at a time; errors as folder_lock.h. Thread-compatible.
 #include <sys/types.h>
 
 #include <ctime>
@@ -13,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "common/base/file_descriptor.h"
+#include "common/run/folder_lock.h"
 
 namespace ronda {
 
@@ -30,7 +26,9 @@ class RunFolder {
   std::filesystem::path summary_file() const { return path_ / "summary.json"; }
 
   /// The process that holds the folder; nullopt where nobody does, or there is no such folder.
-  static std::optional<pid_t> Holder(const std::filesystem::path& path);
+  static std::optional<pid_t> Holder(const std::filesystem::path& path) {
+    return FolderLock::Holder(path);
+  }
 
   /// `<map>-<YYYYmmdd-HHMMSS>` in local time; `map` is a name, or a path of which the stem counts.
   static std::string DefaultName(const std::string& map, std::time_t now);
@@ -40,7 +38,7 @@ class RunFolder {
 
  private:
   std::filesystem::path path_;
-  FileDescriptor lock_;
+  FolderLock lock_;
 };
 
 }  // namespace ronda

@@ -21,7 +21,7 @@ struct Knowledge {
 
   Visits visits = Visits::kNone;
   bool intentions = false;  // where the others go, and when they will be there
-  bool auction = false;     // the others' bids, through Strategy::Hear
+  bool messages = false;    // what else the others say, through Strategy::Hear
 };
 
 struct Belief {

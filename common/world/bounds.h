@@ -1,31 +1,37 @@
 #pragma once
 // Lower bounds on what any team can reach on a graph, printed beside every result.
 //
-// They hold for unlimited time, for robots that keep moving along edges at their own speeds, of
-// which only the sum counts. Both are certificates, evaluated from a feasible dual point: however
-// early or badly an optimiser stopped, the value printed is a bound. Throws InputError when the
-// total speed is not positive and finite or there is no robot. Pure functions; about a second at
-// V = 1000. Source: docs/maps.md; relaxations of the patrolling problem by traversal rates.
+// They hold for unlimited time and for robots that each move along edges at a speed of their own;
+// `staying` says whether they may also stand still at a vertex. Idleness counts by the graph's
+// weights: AGI is the mean of w_v I_v, WI the largest. Every value is a certificate: however early
+// or badly an optimiser stopped, it is a bound. Of robots that keep moving only the sum of the
+// speeds counts; of those that may stand, the bounds let the slowest do so.
+//
+// Throws InputError when there is no robot, or when a speed is not positive and finite. Pure
+// functions. A few milliseconds for the shipped maps, about a second at V = 1000, from where it
+// grows with V² where there are priorities or one robot. Source: docs/bounds.md.
 #include <string>
+#include <vector>
 
 #include "common/world/patrol_graph.h"
+#include "common/world/shortest_paths.h"
 
 namespace ronda {
 
-struct LowerBounds {
-  double agi_s = 0.0;     // average graph idleness
-  double wi_s = 0.0;      // worst idleness
-  std::string wi_method;  // what gave wi_s
+struct BoundsOptions {
+  std::vector<double> speeds_mps;  // (N), each > 0
+  bool staying = false;            // a robot may stand at a vertex, whose idleness is then 0
 };
 
-LowerBounds ComputeLowerBounds(const PatrolGraph& graph, double total_speed_mps, int robots);
+struct LowerBounds {
+  double agi_s = 0.0;           // average graph idleness
+  std::string agi_method = {};  // what gave agi_s
+  double wi_s = 0.0;            // worst idleness
+  std::string wi_method = {};
+};
 
-/// The parts, each times a total speed of 1 m/s, hence in metres.
-/// Least mean idleness over traversal rates x with Σ l_e x_e ≤ 1.
-double FluidBound_m(const PatrolGraph& graph);
-/// Least Σ l_e x_e under which each vertex is visited at a rate of at least 1.
-double CoveringBound_m(const PatrolGraph& graph);
-/// The minimum spanning tree without its N − 1 longest edges: N walks that cover V are no shorter.
-double SpanningForestBound_m(const PatrolGraph& graph, int robots);
+/// `paths` are those of `graph`.
+LowerBounds ComputeLowerBounds(const PatrolGraph& graph, const ShortestPaths& paths,
+                               const BoundsOptions& options);
 
 }  // namespace ronda

@@ -79,11 +79,10 @@ PatrolGraph ParseGraphFile(std::string_view text, const fs::path& path,
   }
 }
 
-PatrolGraph LoadMap(const std::string& name_or_path, const fs::path& maps_dir,
-                    EdgeLengthSource length_source, std::vector<std::string>* warnings) {
+fs::path FindMapFile(const std::string& name_or_path, const fs::path& maps_dir) {
   const fs::path path(name_or_path);
   if (path.has_parent_path() || path.extension() == ".graph" || path.extension() == ".json") {
-    return ReadGraphFile(path, length_source, warnings);
+    return path;
   }
   const std::vector<std::string> shipped = ShippedMaps(maps_dir);
   if (std::find(shipped.begin(), shipped.end(), name_or_path) == shipped.end()) {
@@ -91,7 +90,12 @@ PatrolGraph LoadMap(const std::string& name_or_path, const fs::path& maps_dir,
         fmt::format("a map must be a .graph or .json file or one of the maps in {} ({}), got '{}'",
                     maps_dir.string(), fmt::join(shipped, ", "), name_or_path));
   }
-  return ReadGraphFile(maps_dir / (name_or_path + ".json"), length_source, warnings);
+  return maps_dir / (name_or_path + ".json");
+}
+
+PatrolGraph LoadMap(const std::string& name_or_path, const fs::path& maps_dir,
+                    EdgeLengthSource length_source, std::vector<std::string>* warnings) {
+  return ReadGraphFile(FindMapFile(name_or_path, maps_dir), length_source, warnings);
 }
 
 }  // namespace ronda

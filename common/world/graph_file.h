@@ -36,9 +36,13 @@ PatrolGraph ReadGraphFile(const std::filesystem::path& path, EdgeLengthSource le
 PatrolGraph ParseGraphFile(std::string_view text, const std::filesystem::path& path,
                            EdgeLengthSource length_source, std::vector<std::string>* warnings);
 
-/// A map named on a command line: a path to a file, or the name of a map that ships (`cumberland`).
-/// `maps_dir` is where those stand. Throws InputError that lists the shipped names when there is
-/// none.
+/// The file of a map named on a command line: a path to it, or the name of a map that ships
+/// (`cumberland`). `maps_dir` is where those stand. Throws InputError that lists the shipped names
+/// when there is none.
+std::filesystem::path FindMapFile(const std::string& name_or_path,
+                                  const std::filesystem::path& maps_dir);
+
+/// ReadGraphFile of FindMapFile.
 PatrolGraph LoadMap(const std::string& name_or_path, const std::filesystem::path& maps_dir,
                     EdgeLengthSource length_source, std::vector<std::string>* warnings);
 

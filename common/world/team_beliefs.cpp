@@ -47,7 +47,7 @@ TeamBeliefs::TeamBeliefs(const PatrolGraph& graph, int robots, const Knowledge& 
   const bool partial = !communication.complete();
   keeps_visits_ = knowledge.visits == Knowledge::Visits::kOwn || (shares_visits() && partial);
   keeps_news_ = partial && (shares_visits() || knowledge.intentions);
-  sends_ = keeps_news_ || knowledge.auction;
+  sends_ = keeps_news_ || knowledge.messages;
   if (keeps_visits_) visits_s_.resize(robots_ * vertices_);
   if (!keeps_news_) return;
   news_from_s_.resize(robots_ * robots_);
@@ -162,7 +162,7 @@ void TeamBeliefs::Deliver(const Message& message) {
           {.target = message.target, .previous = message.vertex, .arrival_s = message.arrival_s});
     }
   }
-  if (knowledge_.auction && heard_) heard_(message.receiver, message.sender);
+  if (knowledge_.messages && heard_) heard_(message.receiver, message.sender);
 }
 
 void TeamBeliefs::LetNewsExpire(const PatrolWorld& world, int robot) {

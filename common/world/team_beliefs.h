@@ -42,7 +42,7 @@ class TeamBeliefs {
 
   /// A new episode of a world that has been reset; `messages` draws which are lost.
   void Begin(const PatrolWorld& world, const Rng& messages);
-  /// Called for every message that arrives, where Knowledge says `auction`.
+  /// Called for every message that arrives, where Knowledge says `messages`.
   void OnHeard(HeardFunction heard) { heard_ = std::move(heard); }
 
   /// Takes in the visit, and what has been heard and is seen; what the arrived robot now knows.

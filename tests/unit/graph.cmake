@@ -7,5 +7,9 @@ ronda_test(graph_test
     graph/shipped_maps_test.cpp
     graph/closed_walk_test.cpp
     graph/bounds_test.cpp
+    graph/christofides_test.cpp
+    graph/closed_walk_bound_test.cpp
+    graph/covering_bound_test.cpp
+    graph/fluid_bound_test.cpp
   LINKS ronda::world ${GLPK_LIBRARY})
 target_include_directories(graph_test SYSTEM PRIVATE ${GLPK_INCLUDE_DIR})

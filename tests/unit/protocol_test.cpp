@@ -323,6 +323,84 @@ TEST_CASE("A requested stop ends the evaluation without a result") {
   CHECK_FALSE(Evaluate(map.context(), make, {.agents = 2}, nullptr, stop.get_token()));
 }
 
+/// What EvaluateAll gives for these, by their place.
+std::vector<EvaluationResult> PlayTogether(const std::vector<Evaluation>& evaluations,
+                                           int threads) {
+  std::vector<EvaluationResult> results(evaluations.size());
+  std::int64_t decisions = 0;
+  const EvaluationListener listener{
+      .on_episode = [&](std::size_t, const EpisodeResult& e) { decisions += e.decisions; },
+      .on_result = [&](std::size_t i, EvaluationResult result) { results[i] = std::move(result); }};
+  CHECK(EvaluateAll(evaluations, threads, listener));
+  for (const EvaluationResult& result : results) decisions -= result.decisions();
+  CHECK(decisions == 0);  // each episode was told of, once
+  return results;
+}
+
+TEST_CASE("Evaluations over one queue give what each gives alone, in any order, on any threads") {
+  const EvaluationMap grid("grid");
+  const EvaluationMap nodes("4nodes");
+  std::vector<Evaluation> evaluations;
+  for (const EvaluationMap* map : {&grid, &nodes}) {
+    for (const int agents : {1, 3}) {
+      evaluations.push_back(
+          {.context = map->context(),
+           .make_strategy = [map] { return MakeStrategy("random", map->context()); },
+           .options = {.episodes = agents + 1,
+                       .seed = 3,
+                       .agents = agents,
+                       .conditions = {.travel_noise = 0.1}}});
+    }
+  }
+
+  const auto together = PlayTogether(evaluations, 3);
+  std::reverse(evaluations.begin(), evaluations.end());
+  auto reversed = PlayTogether(evaluations, 1);
+  std::reverse(evaluations.begin(), evaluations.end());
+  std::reverse(reversed.begin(), reversed.end());
+
+  for (std::size_t i = 0; i < evaluations.size(); ++i) {
+    const Evaluation& each = evaluations[i];
+    const auto alone = Evaluate(each.context, each.make_strategy, each.options, nullptr);
+    REQUIRE(alone);
+    CHECK(together[i].agi_s() == alone->agi_s());
+    CHECK(together[i].wi_s() == alone->wi_s());
+    CHECK(together[i].window_s == alone->window_s);
+    CHECK(reversed[i].agi_s() == alone->agi_s());
+  }
+}
+
+TEST_CASE("What is finished when a stop comes is reported whole, and nothing else") {
+  const EvaluationMap map("4nodes");
+  const Evaluation evaluation{.context = map.context(),
+                              .make_strategy = [&] { return MakeStrategy("cr", map.context()); },
+                              .options = {.episodes = 3, .agents = 2}};
+  std::stop_source stop;
+  std::vector<std::size_t> reported;
+  const EvaluationListener listener{.on_episode = nullptr,
+                                    .on_result = [&](std::size_t i, const EvaluationResult& whole) {
+                                      CHECK(whole.episodes.size() == 3);
+                                      reported.push_back(i);
+                                      stop.request_stop();
+                                    }};
+
+  CHECK_FALSE(
+      EvaluateAll(std::vector{evaluation, evaluation, evaluation}, 1, listener, stop.get_token()));
+  CHECK(reported == std::vector<std::size_t>{0});
+}
+
+TEST_CASE("What the listener throws ends all evaluations and reaches the caller") {
+  const EvaluationMap map("4nodes");
+  const Evaluation evaluation{.context = map.context(),
+                              .make_strategy = [&] { return MakeStrategy("cr", map.context()); },
+                              .options = {.episodes = 2, .agents = 2}};
+  const EvaluationListener listener{
+      .on_episode = nullptr,
+      .on_result = [](std::size_t, const EvaluationResult&) { throw std::runtime_error("full"); }};
+
+  CHECK_THROWS_WITH(EvaluateAll(std::vector{evaluation, evaluation}, 2, listener), "full");
+}
+
 TEST_CASE("Options out of range are refused by name and value") {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   CHECK_NOTHROW(CheckOptions({}));

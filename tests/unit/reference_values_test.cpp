@@ -42,16 +42,31 @@ void CheckAgi(const std::string& map_name, const std::vector<Reference>& referen
 }
 
 TEST_CASE("Cumberland: AGI of every strategy lies within 3 standard errors of the reference") {
-  CheckAgi("cumberland", {{"random", 4, 2808, 560},
-                          {"cr", 4, 870, 168},
-                          {"sebs", 4, 602.9, 8.5},
-                          {"er", 4, 602.5, 8.4},
-                          {"gei:0.5", 4, 565.2, 6.9},
-                          {"random", 10, 807, 153},
-                          {"cr", 10, 377, 49},
-                          {"sebs", 10, 185.3, 3.0},
-                          {"er", 10, 185.8, 3.2},
-                          {"gei:0.5", 10, 183.3, 1.8}});
+  CheckAgi("cumberland",
+           {{"random", 2, 6512, 1100},   {"random", 4, 2808, 560}, {"random", 6, 1640, 328},
+            {"random", 8, 1108, 224},    {"random", 10, 807, 153}, {"random", 12, 625, 121},
+            {"cr", 2, 1566, 280},        {"cr", 4, 870, 168},      {"cr", 6, 607, 112},
+            {"cr", 8, 466, 84},          {"cr", 10, 377, 49},      {"cr", 12, 311, 34},
+            {"hcr", 2, 1583, 397},       {"hcr", 4, 975, 320},     {"hcr", 6, 721, 272},
+            {"hcr", 8, 576, 206},        {"hcr", 10, 484, 153},    {"hcr", 12, 422, 96},
+            {"sebs", 2, 1250.5, 10.5},   {"sebs", 4, 602.9, 8.5},  {"sebs", 6, 381.5, 6.8},
+            {"sebs", 8, 258.9, 6.2},     {"sebs", 10, 185.3, 3.0}, {"sebs", 12, 146.4, 1.7},
+            {"er", 2, 1250.5, 10.7},     {"er", 4, 602.5, 8.4},    {"er", 6, 381.6, 6.8},
+            {"er", 8, 258.7, 6.1},       {"er", 10, 185.8, 3.2},   {"er", 12, 146.6, 1.7},
+            {"gei", 2, 1236.2, 8.2},     {"gei", 4, 565.2, 6.9},   {"gei", 6, 358.1, 4.8},
+            {"gei", 8, 245.5, 3.0},      {"gei", 10, 183.3, 1.8},  {"gei", 12, 148.2, 1.2},
+            {"cr:shared", 10, 1038, 332}});
+}
+
+TEST_CASE("Who may not go where another heads does better with shared visits, else worse") {
+  const testing::EvaluationMap map("cumberland");
+  const auto agi_px = [&](const std::string& strategy) {
+    return MeanWithInterval(Play(map, strategy, 10, 100).agi_s()).mean / map.graph.metres_per_px();
+  };
+  CHECK(agi_px("cr:claims") == Approx(183.0).margin(3.0));
+  CHECK(agi_px("cr:shared") > 2.0 * agi_px("cr"));
+  CHECK(agi_px("hcr:claims") < 0.6 * agi_px("hcr"));
+  CHECK(agi_px("gbs:claims") < 0.3 * agi_px("gbs"));
 }
 
 TEST_CASE("Grid, where arrivals coincide, and Milwaukee: AGI within 3 standard errors") {
@@ -74,9 +89,15 @@ TEST_CASE("Cyclic: AGI within 0.5 % of the exact value (grid 1.5 %), WI that of 
     CHECK(result.wi_s()[0] == Approx(result.t_ref_s).epsilon(1e-6));
   };
 
+  check("cumberland", 2, 1068.6, 0.005);
   check("cumberland", 4, 511.2, 0.005);
+  check("cumberland", 6, 332.1, 0.005);
+  check("cumberland", 8, 253.6, 0.005);
   check("cumberland", 10, 196.6, 0.005);
+  check("cumberland", 12, 164.4, 0.005);
   check("grid", 4, 242.8, 0.015);
+  check("grid", 8, 121.2, 0.015);
+  check("milwaukee", 4, 649.2, 0.005);
   check("milwaukee", 8, 314.1, 0.005);
 }
 

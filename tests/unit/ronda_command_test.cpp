@@ -48,14 +48,98 @@ TEST_CASE("compare puts all strategies into one table and one list") {
                             json_path);
 
   CHECK(result.status == 0);
-  CHECK_THAT(result.output, Catch::Contains("horizon 200 s") && Catch::Contains("gei:0.5") &&
+  CHECK_THAT(result.output, Catch::Contains("horizon 200 s") && Catch::Contains("gei ") &&
                                 Catch::Contains("Best classical"));
   std::ifstream file(json_path);
   const auto json = nlohmann::json::parse(file);
-  REQUIRE(json.size() >= 8);
+  REQUIRE(json.size() == 13);
   CHECK(json[0]["strategy"] == "random");
   CHECK(json[0]["ratio_to_random"] == 1.0);
-  CHECK(json.back()["strategy"] == "cyclic");
+  CHECK(json.back()["strategy"] == "ahpa");
+}
+
+TEST_CASE(
+    "bounds prints what no team can beat, what proves it, and the closed walk from both sides") {
+  const TemporaryFolder folder;
+  const auto json_path = (folder.path() / "r.json").string();
+
+  const auto result =
+      Ronda("bounds --map cumberland --agents 10 --speed 0.075 --json " + json_path);
+
+  CHECK(result.status == 0);
+  CHECK_THAT(result.output, Catch::Contains("cumberland, 10 robots at 0.075 m/s") &&
+                                Catch::Contains("132.96 s   rates of traversal") &&
+                                Catch::Contains("318.25 s   covering linear programme") &&
+                                Catch::Contains("at most") && Catch::Contains("373.31 m"));
+  std::ifstream file(json_path);
+  const auto json = nlohmann::json::parse(file);
+  CHECK(json["map"] == "cumberland");
+  CHECK(json["agents"] == 10);
+  CHECK(json["speed_mps"] == 0.075);
+  CHECK(json["lower_bound_agi_s"].get<double>() == Approx(132.96).epsilon(1e-4));
+  CHECK(json["lower_bound_agi_method"] == "rates of traversal");
+  CHECK(json["lower_bound_wi_s"].get<double>() == Approx(318.25).epsilon(1e-4));
+  CHECK(json["lower_bound_wi_method"] == "covering linear programme");
+  CHECK(json["shortest_closed_walk_m"].get<double>() == Approx(373.309).epsilon(1e-6));
+  CHECK(json["shortest_closed_walk_lower_m"].get<double>() == Approx(373.309).epsilon(1e-4));
+  CHECK(json["shortest_closed_walk_lower_method"] == "1-trees (Held and Karp)");
+}
+
+TEST_CASE("bounds follow the conditions: who may stay has lower ones") {
+  const auto moving = Ronda("bounds --map 4nodes --agents 3");
+  const auto staying = Ronda("bounds --map 4nodes --agents 3 --stay 5");
+  CHECK_THAT(moving.output, Catch::Contains("16.67 s   shortest edge at each vertex"));
+  CHECK_THAT(staying.output, Catch::Contains("stay 5 s") &&
+                                 Catch::Contains("12.50 s   rates of traversal and shares"));
+}
+
+TEST_CASE("bounds of bad arguments: a sentence, a status, and no file") {
+  struct Case {
+    const char* arguments;
+    int status;
+    const char* says;
+  };
+  const TemporaryFolder folder;
+  const auto json_path = (folder.path() / "r.json").string();
+  for (const Case& bad :
+       {Case{"--map grid", 2, "--agents"}, Case{"--agents 2", 2, "--map"},
+        Case{"--map grid --agents 0", 2, "agents"}, Case{"--map grid --agents x", 2, "--agents"},
+        Case{"--map grid --agents 2 --speed 0", 2, "speed must be > 0 m/s and finite, got 0"},
+        Case{"--map grid --agents 2 --stay -1", 2, "stay must be"},
+        Case{"--map grid --agents 2 --priority 99=2", 2, "no vertex 99"},
+        Case{"--map grid --agents 2 --mean-time-to-failure 900 --repair 60", 2, "--repair"},
+        Case{"--map grid --agents 2 --strategy cr", 2, "--strategy"},
+        Case{"--map atlantis --agents 2", 3, "atlantis"}}) {
+    CAPTURE(bad.arguments);
+    const auto result = Ronda("bounds --json " + json_path + " " + bad.arguments);
+    CHECK(result.status == bad.status);
+    CHECK_THAT(result.output, Catch::Contains(bad.says));
+    CHECK(std::filesystem::is_empty(folder.path()));
+  }
+  const auto unwritable = Ronda("bounds --map grid --agents 2 --json /nowhere/r.json");
+  CHECK(unwritable.status == 2);
+  CHECK_THAT(unwritable.output, Catch::Contains("/nowhere/r.json"));
+}
+
+TEST_CASE("strategies lists what there is, as a table and as JSON") {
+  const TemporaryFolder folder;
+  const auto json_path = (folder.path() / "s.json").string();
+
+  const auto result = Ronda("strategies --json " + json_path);
+
+  CHECK(result.status == 0);
+  CHECK_THAT(result.output, Catch::Contains("cr:claims") && Catch::Contains("Yan & Zhang 2016"));
+  std::ifstream file(json_path);
+  const auto json = nlohmann::json::parse(file);
+  CHECK(json.size() == 18);
+  int in_all = 0;
+  for (const auto& each : json) in_all += static_cast<int>(each["in_all"].get<bool>());
+  CHECK(in_all == 13);
+  CHECK(json[1]["name"] == "cr");
+  CHECK(json[1]["knowledge"] == "own visits");
+  CHECK_FALSE(json[1]["paper"].get<std::string>().empty());
+  CHECK_FALSE(json[1]["rule"].get<std::string>().empty());
+  CHECK(Ronda("strategies --json /nowhere/s.json").status == 2);
 }
 
 TEST_CASE("train --print-config prints what a run would have, and makes no run folder") {
@@ -138,6 +222,7 @@ TEST_CASE("Help and version are no errors, a missing command is") {
   CHECK(Ronda("--help").status == 0);
   CHECK_THAT(Ronda("evaluate --help").output, Catch::Contains("Example"));
   CHECK_THAT(Ronda("compare --help").output, Catch::Contains("Example"));
+  CHECK_THAT(Ronda("bounds --help").output, Catch::Contains("Example"));
   CHECK(Ronda("").status == 2);
 }
 

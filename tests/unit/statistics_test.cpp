@@ -22,6 +22,13 @@ TEST_CASE("One value has no interval") {
   CHECK_FALSE(sut.ci95);
 }
 
+TEST_CASE("Mean and interval are divided by what is known exactly") {
+  const Estimate sut = Over({.mean = 6.0, .ci95 = 3.0}, 2.0);
+  CHECK(sut.mean == 3.0);
+  CHECK(sut.ci95 == 1.5);
+  CHECK_FALSE(Over({.mean = 6.0, .ci95 = std::nullopt}, 2.0).ci95);
+}
+
 TEST_CASE("What pairs share cancels in their ratio") {
   const std::vector<double> denominators{1.0, 5.0, 2.0, 8.0};
   const std::vector<double> numerators{3.0, 15.0, 6.0, 24.0};

@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/world/closed_walk.h"
+#include "common/world/strategies/gbs.h"
 #include "common/world/strategies/random_argmax.h"
 #include "common/world/strategies/sebs.h"
 #include "common/world/strategies/strategy.h"
@@ -194,6 +195,89 @@ TEST_CASE("Every name of the list makes a strategy that names a neighbour") {
     PlayedTeam team(setting.graph, *sut, speeds_mps, 8, 0.1);
     for (int i = 0; i < 500; ++i) team.DecideNext();  // Depart refuses anything else
     CHECK(team.world.instantaneous_worst_idleness_s() < 500.0);
+  }
+}
+
+/// Where robot 0 goes while its teammates walk at random.
+std::vector<int> WaysOfFirst(const PatrolGraph& graph, Strategy& strategy,
+                             std::uint64_t teammates_seed) {
+  PatrolWorld world(graph, {.speeds_mps = {1.0, 0.7, 1.3}});
+  TeamBeliefs beliefs(graph, 3, strategy.knowledge(), {});
+  beliefs.OnHeard([&](int receiver, int sender) { strategy.Hear(receiver, sender); });
+  Rng own(5);
+  Rng others(teammates_seed);
+  world.Reset(strategy.Begin(graph, world.speeds_mps(), own), Rng(1));
+  beliefs.Begin(world, Rng(1));
+  std::vector<int> went;
+  while (went.size() < 300) {
+    const auto arrival = world.NextArrival(kNever_s);
+    const Belief belief = beliefs.Arrived(world, *arrival);
+    const auto neighbours = graph.neighbours(arrival->vertex);
+    if (arrival->robot == 0) {
+      went.push_back(strategy.Decide(belief, own));
+      world.Depart(0, went.back());
+    } else {
+      world.Depart(arrival->robot,
+                   neighbours[others.Below(static_cast<std::uint32_t>(neighbours.size()))]);
+    }
+    beliefs.Departed(world, arrival->robot);
+  }
+  return went;
+}
+
+TEST_CASE("A robot's way depends on its teammates only where it is told of their visits") {
+  const Setting setting{GraphOf(
+      6,
+      {{0, 1, 3.0}, {1, 2, 4.0}, {2, 3, 5.0}, {3, 4, 2.5}, {4, 5, 3.5}, {5, 0, 6.0}, {1, 4, 4.5}})};
+  int told = 0;
+  for (const StrategyInfo& info : KnownStrategies()) {
+    CAPTURE(info.name);
+    const auto sut = setting.Make(std::string(info.name));
+    const bool shares = sut->knowledge().visits == Knowledge::Visits::kShared;
+    told += static_cast<int>(shares);
+    const bool same = WaysOfFirst(setting.graph, *sut, 1) == WaysOfFirst(setting.graph, *sut, 2);
+    CHECK(same == !shares);
+    CHECK(shares == info.knowledge.starts_with("all visits"));
+  }
+  CHECK(told == 12);
+}
+
+TEST_CASE("Every strategy patrols under all conditions at once") {
+  const Setting setting{GraphOf(
+      6,
+      {{0, 1, 3.0}, {1, 2, 4.0}, {2, 3, 5.0}, {3, 4, 2.5}, {4, 5, 3.5}, {5, 0, 6.0}, {1, 4, 4.5}})};
+  const Communication communication{.message_loss = 0.3,
+                                    .message_range_m = 8.0,
+                                    .message_delay_s = 2.0,
+                                    .observation_radius_m = 4.0};
+  // Robot 3 joins late, the others fail one after another but for robot 0, and two are back.
+  const std::vector<RobotChange> changes{{.time_s = 0.0, .robot = 3},
+                                         {.time_s = 100.0, .robot = 3, .joins = true},
+                                         {.time_s = 200.0, .robot = 1},
+                                         {.time_s = 250.0, .robot = 2},
+                                         {.time_s = 300.0, .robot = 3},
+                                         {.time_s = 500.0, .robot = 1, .joins = true},
+                                         {.time_s = 600.0, .robot = 2, .joins = true}};
+  for (const StrategyInfo& info : KnownStrategies()) {
+    CAPTURE(info.name);
+    const auto sut = setting.Make(std::string(info.name));
+    PatrolWorld world(setting.graph,
+                      {.speeds_mps = {1.0, 0.7, 1.3, 1.0}, .travel_noise = 0.3, .stay_s = 2.0});
+    TeamBeliefs beliefs(setting.graph, 4, sut->knowledge(), communication);
+    beliefs.OnHeard([&](int receiver, int sender) { sut->Hear(receiver, sender); });
+    Rng rng(7);
+    world.Reset(sut->Begin(setting.graph, world.speeds_mps(), rng), Rng(8));
+    world.Schedule(changes);
+    beliefs.Begin(world, Rng(9));
+    std::vector<int> decisions(4, 0);
+    while (const auto arrival = PlayNext(world, beliefs, *sut, 1000.0, rng)) {
+      ++decisions[arrival->robot];
+    }
+    world.AdvanceTo(1000.0);
+    for (const int count : decisions) CHECK(count > 20);
+    if (info.name != "gbs" && info.name != "cr:shared" && info.name != "hcr:shared") {
+      CHECK(world.instantaneous_worst_idleness_s() < 400.0);
+    }
   }
 }
 

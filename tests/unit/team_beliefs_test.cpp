@@ -110,12 +110,13 @@ TEST_CASE("Messages that all arrive at once are complete communication") {
       {{0, 1, 3.0}, {1, 2, 4.0}, {2, 3, 5.0}, {3, 4, 2.5}, {4, 5, 3.5}, {5, 0, 6.0}, {1, 4, 4.5}});
   const ShortestPaths paths(graph);
   const ClosedWalk walk = ClosedWalkOf(graph, paths);
-  for (const char* name : {"sebs", "er", "gei"}) {
+  for (const char* name : {"sebs", "er", "gei", "gbs", "cbls", "dtag", "dtap"}) {
     const auto strategy =
         MakeStrategy(name, {.graph = &graph, .paths = &paths, .closed_walk = &walk});
     const auto play = [&](const Communication& communication) {
       PatrolWorld world(graph, {.speeds_mps = {1.0, 0.7, 1.3}, .stay_s = 0.0});
       TeamBeliefs beliefs(graph, 3, strategy->knowledge(), communication);
+      beliefs.OnHeard([&](int receiver, int sender) { strategy->Hear(receiver, sender); });
       Rng rng(3);
       world.Reset(strategy->Begin(graph, world.speeds_mps(), rng), Rng(1));
       beliefs.Begin(world, Rng(7));
@@ -242,7 +243,7 @@ TEST_CASE("Messages are lost at the rate that is asked for, independently of eac
   const PatrolGraph graph = Star(3);
   std::vector<int> heard(3, 0);
   int both = 0;
-  Scene scene(graph, {0, 0, 0}, {.visits = Knowledge::Visits::kOwn, .auction = true},
+  Scene scene(graph, {0, 0, 0}, {.visits = Knowledge::Visits::kOwn, .messages = true},
               {.message_loss = 0.7});
   std::set<int> receivers;
   scene.beliefs.OnHeard([&](int receiver, int sender) {

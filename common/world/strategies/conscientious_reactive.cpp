@@ -5,10 +5,10 @@
 namespace ronda {
 
 int ConscientiousReactive::Decide(const Belief& belief, Rng& rng) {
+  const auto neighbours = belief.graph->neighbours(belief.vertex);
+  FindCandidates(belief, sharing_, candidates_);
   RandomArgmax choice(rng);
-  for (const int neighbour : belief.graph->neighbours(belief.vertex)) {
-    choice.Offer(neighbour, belief.idleness_s(neighbour));
-  }
+  for (const int k : candidates_) choice.Offer(neighbours[k], belief.idleness_s(neighbours[k]));
   return choice.best();
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/base/rng.h"
@@ -34,7 +35,8 @@ class Strategy {
   /// for every arrival, in order; ties are broken with `rng`.
   virtual int Decide(const Belief& belief, Rng& rng) = 0;
 
-  /// `receiver` has heard what `sender` said when it decided last; only where an auction is known.
+  /// `receiver` has heard what `sender` said when it decided last; only where
+  /// knowledge() says `messages`.
   virtual void Hear(int /*receiver*/, int /*sender*/) {}
 };
 
@@ -60,13 +62,27 @@ struct StrategyContext {
 /// there is none of that name or the P of gei:P is not a number ≥ 0.
 std::unique_ptr<Strategy> MakeStrategy(const std::string& name, const StrategyContext& context);
 
+/// What a strategy is, in a few words each.
+struct StrategyInfo {
+  std::string_view name;       // on the command line
+  std::string_view rule;       // where its robots go
+  std::string_view knowledge;  // what they know when they decide
+  std::string_view source;     // who described it
+
+  /// Of the strategy whose name stands before the colon.
+  constexpr bool is_variant() const { return name.find(':') != name.npos; }
+};
+
+/// All that have a name: what `all` stands for, then the variants.
+std::vector<StrategyInfo> KnownStrategies();
+
 /// "random, cr, …", for a sentence.
 std::string StrategyNames();
 
 /// What `all` stands for.
 std::vector<std::string> AllStrategyNames();
 
-/// What the robots of a strategy know when they decide, in a few words for a table.
+/// StrategyInfo::knowledge of a strategy that there is.
 std::string StrategyKnowledge(const std::string& name);
 
 }  // namespace ronda
