@@ -8,7 +8,8 @@ packages=(g++ cmake ninja-build ccache
   libfastrtps-dev libfastcdr-dev fastddsgen libeigen3-dev libcereal-dev
   libcli11-dev libfccp-dev libtomlplusplus-dev libspdlog-dev libfmt-dev nlohmann-json3-dev libglpk-dev zlib1g-dev
   python3 python3-matplotlib)
-[ "${1:-}" != --tests ] || packages+=(catch2 clang-format git procps python3-networkx)
+[ "${1:-}" != --tests ] ||
+  packages+=(catch2 clang-14 clang-format git libclang-rt-14-dev procps python3-networkx)
 [ "${1:-}" != --bench ] || packages+=(libopenblas-dev)
 missing=()
 for package in "${packages[@]}"; do

@@ -12,21 +12,14 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/world/shown_text.h"
 
 namespace ronda {
 namespace {
 
 constexpr int kMaxNeighbours = 1 << 20;
 
-/// A token as an error shows it: short, and without what a terminal would obey.
-std::string Shown(std::string_view token) {
-  constexpr std::size_t kMaxShown = 40;
-  std::string shown;
-  for (const char c : token.substr(0, kMaxShown)) {
-    shown += std::isprint(static_cast<unsigned char>(c)) ? c : '?';
-  }
-  return token.size() > kMaxShown ? "'" + shown + "…'" : "'" + shown + "'";
-}
+std::string Shown(std::string_view token) { return "'" + ShownText(token, 40) + "'"; }
 
 /// Splits at white space and keeps count of lines.
 class TokenReader {

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string ReadText(const fs::path& path) {
-  constexpr std::uintmax_t kMaxBytes = 64u << 20;
+  constexpr std::uintmax_t kMaxBytes = 16u << 20;  // JSON takes up to 80 times as much in memory
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
     throw InputError(fmt::format("{}: a map must be a file that can be read, got {}", path.string(),
@@ -57,15 +57,19 @@ EdgeLengthSource ParseEdgeLengthSource(const std::string& name) {
 
 PatrolGraph ReadGraphFile(const fs::path& path, EdgeLengthSource length_source,
                           std::vector<std::string>* warnings) {
+  return ParseGraphFile(ReadText(path), path, length_source, warnings);
+}
+
+PatrolGraph ParseGraphFile(std::string_view text, const fs::path& path,
+                           EdgeLengthSource length_source, std::vector<std::string>* warnings) {
   const std::string extension = path.extension().string();
   if (extension != ".graph" && extension != ".json") {
     throw InputError(fmt::format("{}: the name of a map file must end in .graph or .json, got '{}'",
                                  path.string(), extension));
   }
-  const std::string text = ReadText(path);
+  const auto parse = extension == ".graph" ? ParseDotGraph : ParseNodeLink;
   std::vector<std::string> found;
-  GraphData data = extension == ".graph" ? ParseDotGraph(text, path.string(), length_source, found)
-                                         : ParseNodeLink(text, path.string(), length_source, found);
+  GraphData data = parse(text, path.string(), length_source, found);
   if (data.name.empty()) data.name = path.stem().string();
   try {
     PatrolGraph graph(std::move(data));

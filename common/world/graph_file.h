@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/world/patrol_graph.h"
@@ -35,6 +36,10 @@ std::vector<std::string> ShippedMaps(const std::filesystem::path& maps_dir);
 PatrolGraph ReadGraphFile(const std::filesystem::path& path, EdgeLengthSource length_source,
                           std::vector<std::string>* warnings);
 
+/// The same of a file that holds `text`; nothing is opened.
+PatrolGraph ParseGraphFile(std::string_view text, const std::filesystem::path& path,
+                           EdgeLengthSource length_source, std::vector<std::string>* warnings);
+
 /// The file of a map named on a command line: a path to it, or the name of a map that ships
 /// (`cumberland`); nullopt for `random:VERTICES:SEED`, which has none. `maps_dir` is where those
 /// that ship stand. Throws InputError that lists them when there is no such map.
@@ -45,12 +50,15 @@ std::optional<std::filesystem::path> FindMapFile(const std::string& name_or_path
 PatrolGraph LoadMap(const std::string& name_or_path, const std::filesystem::path& maps_dir,
                     EdgeLengthSource length_source, std::vector<std::string>* warnings);
 
+/// A map as node-link JSON that ParseGraphFile reads back to the same graph: one vertex and one
+/// edge a line, `length` only where it is not the distance between the ends, `priority` only where
+/// not all are alike.
+std::string NodeLinkText(const PatrolGraph& graph);
+
 /// The writers: the file appears whole or not at all, and one that is there is replaced. Throw
 /// InputError when it cannot be written.
 
-/// As node-link JSON that ReadGraphFile reads back to the same graph: one vertex and one edge a
-/// line, `length` only where it is not the distance between the ends, `priority` only where not all
-/// are alike.
+/// That text.
 void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path);
 
 /// As a `.graph` file: the same edges and `metres_per_px`, positions and lengths (those read with

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -11,20 +12,21 @@
 #include <utility>
 
 #include "common/base/error.h"
+#include "common/world/shown_text.h"
 
 namespace ronda {
 namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t kMaxTextBytes = 200;
+
 /// A value as an error shows it: short, and in printable ASCII.
 std::string Shown(const Json& value) {
-  constexpr std::size_t kMaxShown = 60;
   if (value.is_object() || value.is_array()) {
     return fmt::format("{} of {}", value.is_object() ? "an object" : "a list", value.size());
   }
-  const std::string shown = value.dump(-1, ' ', true);
-  return shown.size() > kMaxShown ? shown.substr(0, kMaxShown) + "…" : shown;
+  return ShownText(value.dump(-1, ' ', true), 60);
 }
 
 Json ParseJson(std::string_view text, const std::string& file) {
@@ -35,11 +37,11 @@ Json ParseJson(std::string_view text, const std::string& file) {
     const std::string_view before = text.substr(0, end);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-    const std::string what = error.what();
-    const std::size_t reason = what.rfind("; ");  // after the library's own place
-    throw InputError(
-        fmt::format("{}:{}:{}: the file must be JSON: {}", file, line, end - line_start + 1,
-                    reason == std::string::npos ? "syntax error" : what.substr(reason + 2)));
+    const std::string_view what = error.what();
+    const std::size_t reason = what.find(" - ");  // after the library's own place
+    throw InputError(fmt::format(
+        "{}:{}:{}: the file must be JSON: {}", file, line, end - line_start + 1,
+        reason == what.npos ? "syntax error" : ShownText(what.substr(reason + 3), 120)));
   } catch (const Json::exception&) {
     throw InputError(fmt::format("{}: the file must be JSON with numbers below 1.8e308", file));
   }
@@ -102,15 +104,31 @@ class NodeLinkParser {
     return priority;
   }
 
+  /// Of 0 to kMaxTextBytes, without control characters: it will stand in messages and tables.
+  static bool IsText(const Json& value) {
+    if (!value.is_string()) return false;
+    const auto& text = value.get_ref<const std::string&>();
+    const auto is_control = [](unsigned char c) { return std::iscntrl(c) != 0; };
+    return text.size() <= kMaxTextBytes && std::ranges::none_of(text, is_control);
+  }
+
   std::string Text(const Json& value, const std::string& element) const {
-    if (!value.is_string()) Fail(element, "must be a string", value);
+    if (!IsText(value)) {
+      Fail(element,
+           fmt::format("must be a string of up to {} bytes without control characters",
+                       kMaxTextBytes),
+           value);
+    }
     return value.get<std::string>();
   }
 
   std::string Id(const Json& value, const std::string& element) const {
     if (value.is_number_integer()) return value.dump();
-    if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
-      Fail(element, "must be an integer or a string that is not empty", value);
+    if (!IsText(value) || value.get_ref<const std::string&>().empty()) {
+      Fail(element,
+           fmt::format("must be an integer or a string of 1 to {} bytes without control characters",
+                       kMaxTextBytes),
+           value);
     }
     return value.get<std::string>();
   }

@@ -42,7 +42,8 @@ Json LinkOf(const PatrolGraph& graph, const Edge& edge) {
   const double distance_m =
       Distance_m(graph.positions()[edge.source], graph.positions()[edge.target]);
   constexpr double kRounding = 1e-12;  // relative
-  if (std::abs(edge.length_m - distance_m) > kRounding * edge.length_m) {
+  if (distance_m < kSamePoint_m ||
+      std::abs(edge.length_m - distance_m) > kRounding * edge.length_m) {
     link["length"] = edge.length_m;
   }
   return link;
@@ -55,7 +56,7 @@ std::string Lines(const std::vector<std::string>& elements) {
 
 }  // namespace
 
-void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path) {
+std::string NodeLinkText(const PatrolGraph& graph) {
   const Json known = AttributesOf(graph);
   std::vector<std::string> attributes;
   for (const auto& [key, value] : known.items()) {
@@ -71,11 +72,14 @@ void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path) 
   std::vector<std::string> links;
   for (const Edge& edge : graph.edges()) links.push_back(LinkOf(graph, edge).dump());
 
-  const std::string text = fmt::format(
+  return fmt::format(
       "{{\n  \"directed\": false,\n  \"multigraph\": false,\n  \"graph\": {{\n    {}\n  }},\n"
       "  \"nodes\": {},\n  \"links\": {}\n}}\n",
       fmt::join(attributes, ",\n    "), Lines(nodes), Lines(links));
-  WriteWholeFile(path, text, Sync::kNo);
+}
+
+void WriteNodeLink(const PatrolGraph& graph, const std::filesystem::path& path) {
+  WriteWholeFile(path, NodeLinkText(graph), Sync::kNo);
 }
 
 }  // namespace ronda

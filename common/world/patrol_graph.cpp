@@ -68,6 +68,7 @@ std::vector<double> Weights(GraphData& data) {
 
 void CheckEdges(const GraphData& data) {
   const int count = static_cast<int>(data.positions.size());
+  double total_m = 0.0;
   for (std::size_t e = 0; e < data.edges.size(); ++e) {
     const Edge& edge = data.edges[e];
     for (const int end : {edge.source, edge.target}) {
@@ -86,6 +87,10 @@ void CheckEdges(const GraphData& data) {
       throw InputError(fmt::format("edge {} - {}: a length must be positive and finite, got {}",
                                    source_id, target_id, edge.length_m));
     }
+    total_m += edge.length_m;
+  }
+  if (!std::isfinite(total_m)) {
+    throw InputError("the sum of the edges' lengths must be finite, got inf");
   }
 }
 
@@ -134,7 +139,7 @@ void CheckClosedWalk(const PatrolGraph& graph, const ClosedWalk& walk) {
         "shortest_closed_walk.vertices: the walk must visit every vertex, but misses {}",
         graph.vertex_id(static_cast<int>(missed - visited.begin()))));
   }
-  if (!(std::abs(walk.length_m - length_m) <= kTolerance * length_m)) {
+  if (!(std::abs(walk.length_m / length_m - 1.0) <= kTolerance)) {  // length_m may be infinite
     throw InputError(
         fmt::format("shortest_closed_walk.length_m: the walk's edges sum to {} m, got {}", length_m,
                     walk.length_m));

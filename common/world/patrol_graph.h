@@ -58,9 +58,9 @@ class PatrolGraph {
   static constexpr int kMaxVertices = 10000;
 
   /// Throws InputError when there are fewer than 2 vertices or more than kMaxVertices, when an edge
-  /// is not positive and finite, names no vertex, is a loop or stands twice, when an id stands
-  /// twice, when a priority is not in 1e-6 … 1e6, when the graph is not connected, or when
-  /// the closed walk is none; the message names the element.
+  /// is not positive and finite (or all together are not), names no vertex, is a loop or stands
+  /// twice, when an id stands twice, when a priority is not in 1e-6 … 1e6, when the graph is not
+  /// connected, or when the closed walk is none; the message names the element.
   explicit PatrolGraph(GraphData data);
 
   /// What it was made of.

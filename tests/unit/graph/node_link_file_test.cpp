@@ -119,11 +119,21 @@ TEST_CASE("an error in node-link JSON names element, rule and value") {
       {WithNodes("5"), "m.json: nodes[0]: must be an object, got 5"},
       {WithNodes(R"({"pos": [0, 0]})"), "m.json: nodes[0]: must have `id`"},
       {WithNodes(R"({"id": 1.5, "pos": [0, 0]})"),
-       "m.json: nodes[0].id: must be an integer or a string that is not empty, got 1.5"},
+       "m.json: nodes[0].id: must be an integer or a string of 1 to 200 bytes without control "
+       "characters, got 1.5"},
       {WithNodes(R"({"id": true, "pos": [0, 0]})"),
-       "m.json: nodes[0].id: must be an integer or a string that is not empty, got true"},
+       "m.json: nodes[0].id: must be an integer or a string of 1 to 200 bytes without control "
+       "characters, got true"},
       {WithNodes(R"({"id": "", "pos": [0, 0]})"),
-       "m.json: nodes[0].id: must be an integer or a string that is not empty, got \"\""},
+       "m.json: nodes[0].id: must be an integer or a string of 1 to 200 bytes without control "
+       "characters, got \"\""},
+      {WithNodes(R"({"id": "a\u001b[2J", "pos": [0, 0]})"),
+       "m.json: nodes[0].id: must be an integer or a string of 1 to 200 bytes without control "
+       "characters, got \"a\\u001b[2J\""},
+      {WithNodes(R"({"id": ")" + std::string(201, 'a') + R"(", "pos": [0, 0]})"),
+       "m.json: nodes[0].id: must be an integer or a string of 1 to 200 bytes without control "
+       "characters, got \"" +
+           std::string(59, 'a') + "…"},
       {WithNodes(R"({"id": 1})"), "m.json: nodes[0]: must have `pos`"},
       {WithNodes(R"({"id": 1, "pos": [0]})"),
        "m.json: nodes[0].pos: must be a list of two numbers, x and y in metres, got a list of 1"},
@@ -151,6 +161,13 @@ TEST_CASE("an error in node-link JSON names element, rule and value") {
        "m.json: links[0].length: must be a positive finite number, got -2.5"},
       {WithLinks(R"({"source": 7, "target": "b", "length": null})"),
        "m.json: links[0].length: must be a positive finite number, got null"},
+      {R"({"nodes": [{"id": 0, "pos": [0, 0]}, {"id": 1, "pos": [1, 0]}, {"id": 2, "pos": [2, 0]}],
+           "links": [{"source": 0, "target": 1, "length": 1e308},
+                     {"source": 1, "target": 2, "length": 1e308}]})",
+       "m.json: the sum of the edges' lengths must be finite, got inf"},
+      {"{" + kNodes + R"(, "links": [{"source": 7, "target": "b", "length": 1e308}], "graph": {
+           "shortest_closed_walk": {"length_m": 5, "source": "", "vertices": [7, "b"]}}})",
+       "m.json: shortest_closed_walk.length_m: the walk's edges sum to inf m, got 5"},
       {WithLinks(""), "m.json: a graph must be connected, got no path from vertex 7 to b"},
       {"{" + kNodes + R"(, "links": [], "edges": []})",
        "m.json: the file: must have either `links` or `edges`, got both"},
@@ -164,7 +181,11 @@ TEST_CASE("an error in node-link JSON names element, rule and value") {
        "m.json: links[0]: both arcs of an edge must have one length, got 6 and 5"},
       {"{" + kNodes + R"(, "links": [{"source": 7, "target": "b"}], "graph": []})",
        "m.json: graph: must be an object, got a list of 0"},
-      {WithGraph(R"("name": 4)"), "m.json: graph.name: must be a string, got 4"},
+      {WithGraph(R"("name": 4)"),
+       "m.json: graph.name: must be a string of up to 200 bytes without control characters, got 4"},
+      {WithGraph(R"("source": "two\nlines")"),
+       "m.json: graph.source: must be a string of up to 200 bytes without control characters, got "
+       "\"two\\nlines\""},
       {WithGraph(R"("metres_per_px": 0)"),
        "m.json: graph.metres_per_px: must be a positive finite number, got 0"},
       {WithGraph(R"("shortest_closed_walk": {"length_m": 10, "source": ""})"),
@@ -187,8 +208,19 @@ TEST_CASE("an error in the syntax of JSON names line and column") {
   CHECK_THAT(ErrorOf("m.json", "{\n  \"nodes\": [1,\n    ?]\n}"),
              Catch::Matchers::StartsWith("m.json:3:5: the file must be JSON: "));
   CHECK_THAT(ErrorOf("m.json", ""), Catch::Matchers::StartsWith("m.json:1:1: "));
+  CHECK(ErrorOf("m.json", "{\"nodes\": []]") ==
+        "m.json:1:13: the file must be JSON: unexpected ']'; expected '}'");
   CHECK(ErrorOf("m.json", R"({"nodes": [{"id": 1, "pos": [1e999, 0]}]})") ==
         "m.json: the file must be JSON with numbers below 1.8e308");
+}
+
+TEST_CASE("an error in the syntax of JSON quotes the file shortly and in printable characters") {
+  CHECK(ErrorOf("m.json", "\x7f\n") ==
+        "m.json:1:1: the file must be JSON: invalid literal; last read: '?'");
+  CHECK(ErrorOf("m.json", '"' + std::string(1000, 'a')) ==
+        "m.json:1:1002: the file must be JSON: invalid string: missing closing quote; last read: "
+        "'\"" +
+            std::string(68, 'a') + "…");
 }
 
 TEST_CASE("what is no map file is an error that says so") {
@@ -236,6 +268,18 @@ TEST_CASE("a written map reads back to the same graph and the same text") {
   std::ifstream second(again.path());
   CHECK(std::string(std::istreambuf_iterator<char>(first), {}) ==
         std::string(std::istreambuf_iterator<char>(second), {}));
+}
+
+TEST_CASE("an edge shorter than 1 mm keeps its length when it is written") {
+  GraphData data = testing::RandomGraphData(2, 0, 1);
+  data.positions = {{0.0, 0.0}, {0.0, 0.0005}};
+  data.edges[0].length_m = 0.0005;
+  const PatrolGraph graph(data);
+
+  const PatrolGraph sut =
+      ParseGraphFile(NodeLinkText(graph), "m.json", EdgeLengthSource::kEuclidean, nullptr);
+
+  CHECK(sut.edges()[0].length_m == 0.0005);
 }
 
 TEST_CASE("writing where nothing can be written is an error") {
