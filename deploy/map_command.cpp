@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 
 void WriteJson(const std::string& path, const Json& json) {
   OutputFile file(path);
-  file.Write(json.dump(1) + "\n");
+  file.Write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   file.Commit();
 }
 
