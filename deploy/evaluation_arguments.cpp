@@ -10,6 +10,7 @@
 #include "common/world/conditions_text.h"
 #include "deploy/find_policy.h"
 #include "deploy/named_map.h"
+#include "deploy/seed_rule.h"
 
 namespace ronda {
 
@@ -32,11 +33,6 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationOptions& options = arguments.options;
   AddConditionArguments(command, arguments);
   // CLI11 reads "-1" into an unsigned number without complaint.
-  const CLI::Validator not_negative(
-      [](std::string& text) {
-        return text.starts_with('-') ? "must be 0 or more, got " + text : std::string();
-      },
-      "");
   command.add_option("--protocol", arguments.protocol, "steady or thesis")
       ->check(CLI::IsMember({"steady", "thesis"}))
       ->capture_default_str();
@@ -45,7 +41,7 @@ void AddEvaluationArguments(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--episodes", options.episodes, "how many episodes, 1 … 1000000")
       ->capture_default_str();
   command.add_option("--seed", options.seed, "starts, noise and decisions follow from it")
-      ->check(not_negative)
+      ->check(SeedRule())
       ->capture_default_str();
 }
 

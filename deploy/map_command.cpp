@@ -18,6 +18,7 @@
 #include "deploy/map_show_command.h"
 #include "deploy/named_map.h"
 #include "deploy/new_file.h"
+#include "deploy/seed_rule.h"
 #include "deploy/text_table.h"
 
 namespace ronda {
@@ -27,7 +28,7 @@ using Json = nlohmann::ordered_json;
 
 void WriteJson(const std::string& path, const Json& json) {
   OutputFile file(path);
-  file.Write(json.dump(1) + "\n");
+  file.Write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   file.Commit();
 }
 
@@ -160,7 +161,7 @@ void AddRandom(CLI::App& parent) {
       ->check(CLI::Range(2, PatrolGraph::kMaxVertices))
       ->required();
   command->add_option("--seed", options.seed, "the same seed gives the same map")
-      ->check(CLI::NonNegativeNumber)
+      ->check(SeedRule())
       ->required();
   command->add_option("--out", arguments->out, "the file to write, .graph or .json")->required();
   command->add_option("--degree", options.degree, "mean number of neighbours, 2 … 4")

@@ -79,7 +79,7 @@ std::string FormatFacts(const MapFacts& facts) {
        fmt::format("{}, from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})", FormatSize(facts),
                    facts.low.x_m, facts.low.y_m, facts.high.x_m, facts.high.y_m));
   line("scale", fmt::format("{} m per px", facts.metres_per_px));
-  line("closed walk", fmt::format("{:.6g} m ({})", facts.closed_walk_m, facts.closed_walk_source));
+  line("closed walk", fmt::format("{:.6g} m: {}", facts.closed_walk_m, facts.closed_walk_source));
   line("priorities",
        facts.priority.least == facts.priority.most ? "all alike" : Text(facts.priority));
   return text;

@@ -20,6 +20,7 @@ namespace {
 struct ShowArguments {
   std::string map;
   std::string svg_path;
+  std::string length = "euclidean";
   std::string colour = "plain";
   std::string trace_path;  // empty: none
   bool ids = false;
@@ -56,7 +57,7 @@ void Show(const ShowArguments& arguments) {
   }
   CheckMayWrite(arguments.svg_path, arguments.force);
   OutputFile svg(arguments.svg_path);
-  const PatrolGraph graph = LoadNamedMap(arguments.map, "euclidean");
+  const PatrolGraph graph = LoadNamedMap(arguments.map, arguments.length);
   svg.Write(DrawMap(graph, ColoursOf(graph, arguments),
                     arguments.ids ? ShowIds::kAlways : ShowIds::kWhereLegible));
   svg.Commit();
@@ -78,6 +79,7 @@ void AddMapShowCommand(CLI::App& map) {
       ->capture_default_str();
   command->add_option("--trace", arguments->trace_path,
                       "idleness and traffic: what ronda evaluate --trace wrote");
+  AddLengthOption(*command, arguments->length);
   command->add_flag("--ids", arguments->ids, "ids also where they are too dense to read");
   command->add_flag("--force", arguments->force, "replace a file that is there");
   command->footer(

@@ -58,9 +58,10 @@ std::string Lines(const std::vector<std::string>& elements) {
 
 std::string NodeLinkText(const PatrolGraph& graph) {
   const Json known = AttributesOf(graph);
-  std::vector<std::string> attributes;
+  std::vector<std::string> attributes;  // a file's name may be no UTF-8
   for (const auto& [key, value] : known.items()) {
-    attributes.push_back(fmt::format("{}: {}", Json(key).dump(), value.dump()));
+    attributes.push_back(fmt::format("{}: {}", Json(key).dump(),
+                                     value.dump(-1, ' ', false, Json::error_handler_t::replace)));
   }
   std::vector<std::string> nodes;
   for (int vertex = 0; vertex < graph.vertex_count(); ++vertex) {

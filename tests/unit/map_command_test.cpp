@@ -56,7 +56,7 @@ TEST_CASE("map check says what a map is") {
   CHECK(result.status == 0);
   for (const char* part :
        {"25, 0 of them leaves", "40, 228 m in all", "2 … 4, mean 3.2", "5.7 … 5.7, mean 5.7 m",
-        "45.6 m", "0.075 m per px", "148.2 m (2-opt", "all alike"}) {
+        "45.6 m", "0.075 m per px", "148.2 m: 2-opt", "all alike"}) {
     CHECK_THAT(result.output, Contains(part));
   }
   const auto json = Json(folder / "c.json");
@@ -158,6 +158,19 @@ TEST_CASE("map convert, random and show replace nothing unasked") {
   CHECK_THAT(ReadWholeFile(out), Contains(part));
 }
 
+TEST_CASE("a map whose file has a name that is no UTF-8 is checked and converted all the same") {
+  const TemporaryFolder folder;
+  const std::string map = (folder / "a\xff.graph").string();
+  REQUIRE(Ronda("map convert 4nodes " + map).status == 0);
+  const std::string facts = (folder / "facts.json").string();
+  const std::string copy = (folder / "copy.json").string();
+
+  CHECK(Ronda("map check " + map + " --json " + facts).status == 0);
+  CHECK(Ronda("map convert " + map + " " + copy).status == 0);
+  CHECK(Json(facts)["name"] == "a\uFFFD");
+  CHECK(Json(copy)["graph"]["name"] == "a\uFFFD");
+}
+
 TEST_CASE("map convert leaves nothing where it fails") {
   const TemporaryFolder folder;
   const std::string out = (folder / "m.json").string();
@@ -205,8 +218,8 @@ TEST_CASE("a random map can be named wherever a map is") {
 
 TEST_CASE("map random refuses numbers out of range with status 2") {
   for (const char* bad : {"--vertices 1 --seed 1", "--vertices 10001 --seed 1", "--vertices 9",
-                          "--vertices 9 --seed -1", "--vertices 9 --seed 1 --degree 5",
-                          "--vertices 9 --seed 1 --edge-m 0"}) {
+                          "--vertices 9 --seed -1", "--vertices 9 --seed 18446744073709551616",
+                          "--vertices 9 --seed 1 --degree 5", "--vertices 9 --seed 1 --edge-m 0"}) {
     CAPTURE(bad);
     CHECK(Ronda(std::string("map random --out /nowhere/m.json ") + bad).status == 2);
   }
@@ -237,6 +250,18 @@ TEST_CASE("map show draws plain maps and priorities without a trace") {
   CHECK_THAT(ReadWholeFile(svg), Contains(">39</text>"));
   CHECK(Ronda("map show random:300:1 --colour priority --force --svg " + svg).status == 0);
   CHECK_THAT(ReadWholeFile(svg), Contains(">priority</text>"));
+}
+
+TEST_CASE("an edge on a picture has the length that is asked for") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "m.graph") << "2 9 9 1 0 0  0 0 0 1 1 E 8  1 5 0 1 0 W 8\n";
+  const std::string svg = (folder / "m.svg").string();
+  const auto [length, title] = GENERATE(
+      table<std::string, std::string>({{"euclidean", "0 - 1, 5 m"}, {"file", "0 - 1, 8 m"}}));
+
+  CHECK(Ronda("map show " + (folder / "m.graph").string() + " --length " + length + " --svg " + svg)
+            .status == 0);
+  CHECK_THAT(ReadWholeFile(svg), Contains("<title>" + title + "</title>"));
 }
 
 TEST_CASE("map show refuses a trace of another map, and what does not go together") {

@@ -170,6 +170,7 @@ TEST_CASE("Bad arguments end with status 2 and a sentence that says what is wron
         Case{"--agents 2 --strategy cr --speed 0", "speed"},
         Case{"--agents 2 --strategy cr --episodes 0", "episodes"},
         Case{"--agents 2 --strategy cr --seed -1", "--seed"},
+        Case{"--agents 2 --strategy cr --seed 18446744073709551616", "--seed"},
         Case{"--agents 2 --strategy cr --horizon 9", "--horizon"},
         Case{"--agents 2 --strategy cr --protocol other", "--protocol"},
         Case{"--agents 2 --strategy cr --json /nowhere/r.json", "/nowhere/r.json"},

@@ -110,7 +110,7 @@ TEST_CASE("an edge between nodes on one point is 1 mm, with a warning that names
                                              "point; their edge is taken as 1 mm long"});
 }
 
-TEST_CASE("an error in node-link JSON names element, rule and value") {
+TEST_CASE("an error in a node names element, rule and value") {
   const auto [text, message] = GENERATE_COPY(table<std::string, std::string>({
       {"[]", "m.json: the file: must hold an object, got a list of 0"},
       {"{}", "m.json: the file: must have `nodes`"},
@@ -149,6 +149,13 @@ TEST_CASE("an error in node-link JSON names element, rule and value") {
        "m.json: nodes[0].priority: must be a number in 1e-6 … 1e6, got 2000000.0"},
       {WithNodes(R"({"id": 1, "pos": [0, 1], "priority": "high"})"),
        "m.json: nodes[0].priority: must be a number in 1e-6 … 1e6, got \"high\""},
+  }));
+  CAPTURE(text);
+  CHECK(ErrorOf("m.json", text) == message);
+}
+
+TEST_CASE("an error in a link or in what holds for the whole file names element, rule and value") {
+  const auto [text, message] = GENERATE_COPY(table<std::string, std::string>({
       {WithLinks("5"), "m.json: links[0]: must be an object, got 5"},
       {WithLinks(R"({"target": 7})"), "m.json: links[0]: must have `source`"},
       {WithLinks(R"({"source": 7, "target": "b"}, {"source": 7, "target": 99})"),
