@@ -9,10 +9,17 @@ namespace ronda {
 
 AuctionAssignment::AuctionAssignment(const PatrolGraph& graph, const ShortestPaths& paths)
     : paths_(&paths), vertices_(static_cast<std::size_t>(graph.vertex_count())) {
-  hops_.resize(vertices_ * vertices_);
-  for (int from = 0; from < graph.vertex_count(); ++from) {
-    for (int to = 0; to < graph.vertex_count(); ++to) {
-      for (int at = from; at != to; at = paths.next_hop(at, to)) ++hops_[vertices_ * from + to];
+  constexpr std::uint16_t kUnknown = 0xffff;  // a path has fewer than kMaxVertices edges
+  hops_.assign(vertices_ * vertices_, kUnknown);
+  std::vector<int> path;
+  for (int to = 0; to < graph.vertex_count(); ++to) {
+    hops(to, to) = 0;
+    for (int from = 0; from < graph.vertex_count(); ++from) {
+      int at = from;
+      for (; hops(at, to) == kUnknown; at = paths.next_hop(at, to)) path.push_back(at);
+      for (std::uint16_t count = hops(at, to); !path.empty(); path.pop_back()) {
+        hops(path.back(), to) = ++count;
+      }
     }
   }
 }
@@ -50,7 +57,7 @@ int AuctionAssignment::PlanGoal(const Belief& belief, int from, Rng& rng) {
   for (const Candidate& candidate : candidates_) {
     const int vertex = candidate.vertex;
     if (Wins(belief, vertex, from)) return vertex;
-    if (hops_[vertices_ * from + vertex] == 1 && idleness_.idleness_s(belief, vertex) > high_s_ &&
+    if (hops(from, vertex) == 1 && idleness_.idleness_s(belief, vertex) > high_s_ &&
         !IsGoalOfAnother(belief, vertex)) {
       return vertex;
     }
@@ -67,8 +74,8 @@ void AuctionAssignment::RankCandidates(const Belief& belief, int from, Rng& rng)
     sum_s += idleness_s;
     sum_s2 += idleness_s * idleness_s;
     if (vertex == from || vertex == belief.vertex) continue;
-    const double hops = hops_[vertices_ * from + vertex];
-    candidates_.push_back({.utility_s = idleness_s - 2.0 * hops * static_cast<double>(vertices_),
+    const double hops_to = hops(from, vertex);
+    candidates_.push_back({.utility_s = idleness_s - 2.0 * hops_to * static_cast<double>(vertices_),
                            .draw = rng.Below(1u << 31),
                            .vertex = vertex});
   }

@@ -63,6 +63,7 @@ class AuctionAssignment final : public Strategy {
     Bid bid;
   };
 
+  std::uint16_t& hops(int from, int to) { return hops_[vertices_ * from + to]; }
   Bid* bids(int robot) { return &bids_[vertices_ * robot]; }
   Goals& goals(int robot, int other) { return goals_[robots_ * robot + other]; }
   int PlanGoal(const Belief& belief, int from, Rng& rng);
